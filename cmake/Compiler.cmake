@@ -1,0 +1,23 @@
+# Flags shared by every target, carried by the interface library photopic_flags.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+add_library(photopic_flags INTERFACE)
+target_include_directories(photopic_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
+target_compile_definitions(photopic_flags INTERFACE PHOTOPIC_VERSION="${PROJECT_VERSION}")
+# sqrt and friends need not set errno, nor floating point trap; NaN and infinity keep their meaning.
+target_compile_options(photopic_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Wno-restrict -fno-math-errno -fno-trapping-math)
+if(PHOTOPIC_WERROR)
+  target_compile_options(photopic_flags INTERFACE -Werror)
+endif()
+if(PHOTOPIC_NATIVE)
+  target_compile_options(photopic_flags INTERFACE -march=native)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  target_compile_options(photopic_flags INTERFACE -march=x86-64-v2)
+endif()
+if(PHOTOPIC_SANITIZE)
+  target_compile_options(photopic_flags INTERFACE -fsanitize=${PHOTOPIC_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(photopic_flags INTERFACE -fsanitize=${PHOTOPIC_SANITIZE})
+endif()

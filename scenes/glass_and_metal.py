@@ -1,0 +1,141 @@
+#!/usr/bin/env python3
+"""Writes glass-and-metal/scene.glb: glass and metal on a table in a small room, under a fluorescent panel. Of our own making."""
+
+import math
+import pathlib
+
+from gltf_writer import Scene, lambert, lamp
+
+FOLDER = pathlib.Path(__file__).parent / "glass-and-metal"
+LUMINANCE = 8  # of the panel [cd/m2]; exposes the picture well at 0 EV
+
+
+def grid_triangles(rows, columns, wrap_rows):
+    """Triangles of a grid of vertices that closes on itself in columns, and in rows if asked."""
+    index = lambda i, j: (i % rows) * columns + j % columns
+    triangles = []
+    for i in range(rows if wrap_rows else rows - 1):
+        for j in range(columns):
+            a, b, c, d = index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)
+            triangles += [(a, b, c), (a, c, d)]
+    return triangles
+
+
+def sphere(radius, rings=48, sectors=96):
+    """A closed sphere about the origin: positions, triangles, normals."""
+    normals = []
+    for i in range(1, rings):
+        theta = math.pi * i / rings
+        for j in range(sectors):
+            phi = -2 * math.pi * j / sectors
+            normals.append((math.sin(theta) * math.cos(phi), math.cos(theta), math.sin(theta) * math.sin(phi)))
+    triangles = grid_triangles(rings - 1, sectors, wrap_rows=False)
+    top, bottom, last = len(normals), len(normals) + 1, (rings - 2) * sectors
+    normals += [(0, 1, 0), (0, -1, 0)]
+    for j in range(sectors):
+        k = (j + 1) % sectors
+        triangles += [(top, j, k), (bottom, last + k, last + j)]
+    # Corners stand a little outside, so that the faceted solid has the sphere's volume.
+    scale = radius * (1 + (math.pi / rings) ** 2 / 6)
+    return [tuple(scale * x for x in n) for n in normals], orient(normals, triangles), normals
+
+
+def torus(major, minor, rings=96, sectors=48):
+    """A closed torus about the y axis."""
+    positions, normals = [], []
+    for i in range(rings):
+        u = 2 * math.pi * i / rings
+        for j in range(sectors):
+            v = 2 * math.pi * j / sectors
+            normal = (math.cos(u) * math.cos(v), math.sin(v), math.sin(u) * math.cos(v))
+            normals.append(normal)
+            positions.append((major * math.cos(u) + minor * normal[0], minor * normal[1], major * math.sin(u) + minor * normal[2]))
+    return positions, orient_by_normals(positions, normals, grid_triangles(rings, sectors, wrap_rows=True)), normals
+
+
+def box(x, y, z):
+    """The six quads of a box of these half lengths about the origin, seen from outside."""
+    p = lambda i: ((i & 1 or -1) * x, ((i & 2) - 1) * y, ((i & 4) / 2 - 1) * z)
+    return [[p(i) for i in face] for face in ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6))]
+
+
+def orient_by_normals(positions, normals, triangles):
+    """Turns triangles so that their fronts look along their normals."""
+    turned = []
+    for a, b, c in triangles:
+        e, f = ([positions[k][i] - positions[a][i] for i in range(3)] for k in (b, c))
+        n = (e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0])
+        front = sum(n[i] * (normals[a][i] + normals[b][i] + normals[c][i]) for i in range(3)) > 0
+        turned.append((a, b, c) if front else (a, c, b))
+    return turned
+
+
+def orient(normals, triangles):
+    return orient_by_normals(normals, normals, triangles)
+
+
+def glass(name, roughness, thickness, color, distance):
+    return {
+        "name": name,
+        "pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": roughness},
+        "extensions": {
+            "KHR_materials_transmission": {"transmissionFactor": 1},
+            "KHR_materials_ior": {"ior": 1.5},
+            "KHR_materials_volume": {"thicknessFactor": thickness, "attenuationColor": color, "attenuationDistance": distance},
+        },
+    }
+
+
+def metal(name, color, roughness):
+    return {"name": name, "pbrMetallicRoughness": {"baseColorFactor": [*color, 1], "metallicFactor": 1, "roughnessFactor": roughness}}
+
+
+def add_room(scene):
+    """Walls 4 m wide, 2.6 m high; the table top is the floor. The camera looks in through the open front."""
+    wide, high, back, front = 2.0, 2.6, -1.6, 4.0
+    floor = [(-wide, 0, front), (wide, 0, front), (wide, 0, back), (-wide, 0, back)]
+    ceiling = [(-wide, high, back), (wide, high, back), (wide, high, front), (-wide, high, front)]
+    back_wall = [(-wide, 0, back), (wide, 0, back), (wide, high, back), (-wide, high, back)]
+    front_wall = [(wide, 0, front), (-wide, 0, front), (-wide, high, front), (wide, high, front)]
+    left = [(-wide, 0, front), (-wide, 0, back), (-wide, high, back), (-wide, high, front)]
+    right = [(wide, 0, back), (wide, 0, front), (wide, high, front), (wide, high, back)]
+    scene.quads("table", scene.material(lambert("table", (0.5, 0.46, 0.42))), [floor])
+    scene.quads("walls", scene.material(lambert("plaster", (0.75, 0.74, 0.70))), [ceiling, back_wall, front_wall])
+    scene.quads("left", scene.material(lambert("terracotta", (0.62, 0.22, 0.12))), [left])
+    scene.quads("right", scene.material(lambert("blue", (0.12, 0.24, 0.50))), [right])
+    panel = [(-0.7, high - 0.01, -0.5), (0.7, high - 0.01, -0.5), (0.7, high - 0.01, 0.9), (-0.7, high - 0.01, 0.9)]
+    scene.quads("panel", scene.material(lamp("panel", 0.8, LUMINANCE, "cie:FL11")), [panel])
+
+
+def add_objects(scene):
+    positions, triangles, normals = sphere(0.36)
+    lift = 0.3605  # a hair above the table
+    clear = scene.material(glass("clear glass", 0, 0.7, (0.55, 0.92, 0.78), 0.6))
+    scene.mesh("glass ball", clear, positions, triangles, normals, translation=[-0.15, lift * 1.003, 0.35])
+    silver = scene.material(metal("silver", (0.95, 0.93, 0.90), 0.02))
+    scene.mesh("silver ball", silver, positions, triangles, normals, translation=[0.75, lift * 1.28, -0.45], scale=[1.27] * 3)
+
+    positions, triangles, normals = torus(0.36, 0.13)
+    gold = scene.material(metal("gold", (1.0, 0.766, 0.336), 0.3))
+    tilt = math.radians(62)
+    scene.mesh("gold ring", gold, positions, triangles, normals, translation=[-0.85, 0.4485, -0.55],
+               rotation=[math.sin(tilt / 2), 0, 0, math.cos(tilt / 2)])
+
+    frosted = scene.material(glass("frosted glass", 0.35, 0.4, (0.95, 0.75, 0.55), 0.5))
+    turn = math.radians(28)
+    scene.quads("frosted block", frosted, box(0.2, 0.2, 0.2), translation=[0.62, 0.201, 0.55],
+                rotation=[0, math.sin(turn / 2), 0, math.cos(turn / 2)])
+
+
+def main():
+    FOLDER.mkdir(exist_ok=True)
+    scene = Scene("Photopic's authors")
+    add_room(scene)
+    add_objects(scene)
+    pitch = math.radians(-15.5)
+    scene.camera(math.radians(31), [320, 240], translation=[0, 1.15, 3.35], rotation=[math.sin(pitch / 2), 0, 0, math.cos(pitch / 2)])
+    scene.write_glb(FOLDER / "scene.glb")
+
+
+if __name__ == "__main__":
+    main()

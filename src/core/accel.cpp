@@ -1,0 +1,178 @@
+#include "core/accel.h"
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+
+namespace photopic {
+namespace {
+
+void throw_error(void*, RTCError, const char* message) {
+  throw std::runtime_error(std::string("Embree: ") + message);
+}
+
+RTCRay make_ray(Vec3f origin, Vec3f direction, float t_max) {
+  RTCRay ray{};
+  ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
+  ray.dir_x = direction.x, ray.dir_y = direction.y, ray.dir_z = direction.z;
+  ray.tnear = 0.0f;
+  ray.tfar = t_max;
+  ray.mask = ~0u;
+  return ray;
+}
+
+constexpr std::size_t kPacket = 16;
+
+void load(const RayArray& rays, std::span<const std::uint32_t> slots, RTCRay16& packet,
+          std::span<int> valid) {
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const Vec3f o = rays.origin[slots[i]], d = rays.direction[slots[i]];
+    packet.org_x[i] = o.x, packet.org_y[i] = o.y, packet.org_z[i] = o.z;
+    packet.dir_x[i] = d.x, packet.dir_y[i] = d.y, packet.dir_z[i] = d.z;
+    packet.tnear[i] = 0.0f;
+    packet.time[i] = 0.0f;
+    packet.mask[i] = ~0u;
+    packet.flags[i] = 0;
+    valid[i] = -1;
+  }
+}
+
+}  // namespace
+
+struct Accel::Handles {
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+
+  Handles() : device(rtcNewDevice(nullptr)) {
+    if (!device) throw std::runtime_error("Embree: no device");
+    rtcSetDeviceErrorFunction(device, throw_error, nullptr);
+    scene = rtcNewScene(device);
+  }
+  ~Handles() {
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+  }
+  Handles(const Handles&) = delete;
+  Handles& operator=(const Handles&) = delete;
+
+  RTCRayHit intersect(const RTCRay& ray) const {
+    RTCRayHit query{ray, {}};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+    rtcIntersect1(scene, &query);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, &query);
+#endif
+    return query;
+  }
+
+  void intersect(const int* valid, RTCRayHit16& query) const {
+#if RTC_VERSION_MAJOR >= 4
+    rtcIntersect16(valid, scene, &query);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect16(valid, scene, &context, &query);
+#endif
+  }
+
+  void occluded(const int* valid, RTCRay16& query) const {
+#if RTC_VERSION_MAJOR >= 4
+    rtcOccluded16(valid, scene, &query);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded16(valid, scene, &context, &query);
+#endif
+  }
+
+  bool occluded(RTCRay ray) const {
+#if RTC_VERSION_MAJOR >= 4
+    rtcOccluded1(scene, &ray);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, &ray);
+#endif
+    return ray.tfar < 0.0f;
+  }
+};
+
+Accel::Accel(Geometry& geometry) : handles_(std::make_unique<Handles>()) {
+  rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneBuildQuality(handles_->scene, RTC_BUILD_QUALITY_HIGH);
+  geometry.positions.reserve(geometry.positions.size() + 1);
+
+  for (const Shape& shape : geometry.shapes) {
+    RTCGeometry mesh = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, geometry.positions.data(),
+                               0, sizeof(Vec3f), geometry.positions.size());
+    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, geometry.triangles.data(),
+                               shape.first_triangle * sizeof(geometry.triangles[0]),
+                               sizeof(geometry.triangles[0]), shape.triangle_count);
+    rtcCommitGeometry(mesh);
+    rtcAttachGeometry(handles_->scene, mesh);
+    rtcReleaseGeometry(mesh);
+    first_triangle_.push_back(shape.first_triangle);
+  }
+  rtcCommitScene(handles_->scene);
+}
+
+Accel::~Accel() = default;
+Accel::Accel(Accel&&) noexcept = default;
+Accel& Accel::operator=(Accel&&) noexcept = default;
+
+Hit Accel::intersect(const Ray& ray) const {
+  const RTCRayHit query =
+      handles_->intersect(make_ray(ray.origin, ray.direction, std::numeric_limits<float>::infinity()));
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  return {query.hit.geomID, first_triangle_[query.hit.geomID] + query.hit.primID, query.hit.u, query.hit.v,
+          query.ray.tfar};
+}
+
+bool Accel::occluded(const Ray& ray, float t_max) const {
+  return handles_->occluded(make_ray(ray.origin, ray.direction, t_max));
+}
+
+void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits) const {
+  for (std::size_t first = 0; first < slots.size(); first += kPacket) {
+    const auto packet = slots.subspan(first, std::min(kPacket, slots.size() - first));
+    alignas(64) RTCRayHit16 query;
+    alignas(64) std::array<int, kPacket> valid{};
+    load(rays, packet, query.ray, valid);
+    std::fill_n(query.ray.tfar, kPacket, std::numeric_limits<float>::infinity());
+    std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
+    handles_->intersect(valid.data(), query);
+    for (std::size_t i = 0; i < packet.size(); ++i) {
+      const std::uint32_t shape = query.hit.geomID[i];
+      hits[packet[i]] = shape == RTC_INVALID_GEOMETRY_ID
+                            ? Hit{}
+                            : Hit{shape, first_triangle_[shape] + query.hit.primID[i], query.hit.u[i],
+                                  query.hit.v[i], query.ray.tfar[i]};
+    }
+  }
+}
+
+void Accel::occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
+                     std::span<std::uint8_t> blocked) const {
+  for (std::size_t first = 0; first < slots.size(); first += kPacket) {
+    const auto packet = slots.subspan(first, std::min(kPacket, slots.size() - first));
+    alignas(64) RTCRay16 query;
+    alignas(64) std::array<int, kPacket> valid{};
+    load(rays, packet, query, valid);
+    for (std::size_t i = 0; i < packet.size(); ++i) query.tfar[i] = rays.t_max[packet[i]];
+    handles_->occluded(valid.data(), query);
+    for (std::size_t i = 0; i < packet.size(); ++i) blocked[packet[i]] = query.tfar[i] < 0.0f;
+  }
+}
+
+}  // namespace photopic

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace photopic {
+
+/// Three floats an element, as structure of arrays.
+struct Vec3Array {
+  std::vector<float> x, y, z;
+
+  explicit Vec3Array(std::size_t size) : x(size), y(size), z(size) {}
+  Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void set(std::size_t i, Vec3f v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+};
+
+/// Rays that stand in slots; t counts in lengths of the direction.
+struct RayArray {
+  Vec3Array origin, direction;
+  std::vector<float> t_max;
+  explicit RayArray(std::size_t size) : origin(size), direction(size), t_max(size) {}
+};
+
+inline constexpr std::uint32_t kNoHit = ~0u;
+
+/// Where a ray meets a triangle.
+struct Hit {
+  std::uint32_t shape = kNoHit;
+  std::uint32_t triangle = kNoHit;  ///< index into Geometry::triangles
+  float u = 0, v = 0;               ///< barycentric coordinates of the second and third vertex
+  float t = 0;
+};
+
+/// The bounding volume hierarchy: the only home of Embree (3.13 or 4).
+class Accel {
+ public:
+  /// Builds with TBB over the geometry's own buffers, which must stay where they are. (Embree reads vertices
+  /// 16 bytes at a time, so positions get room for one more.) @throws std::runtime_error when Embree does
+  explicit Accel(Geometry& geometry);
+  ~Accel();
+  Accel(Accel&&) noexcept;
+  Accel& operator=(Accel&&) noexcept;
+
+  /// The nearest hit with 0 < t of the rays in the given slots.
+  void intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits) const;
+
+  /// Whether something lies at 0 < t < t_max, 1 or 0 a slot.
+  void occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
+                std::span<std::uint8_t> blocked) const;
+
+  Hit intersect(const Ray& ray) const;
+  bool occluded(const Ray& ray, float t_max) const;
+
+ private:
+  struct Handles;
+  std::unique_ptr<Handles> handles_;
+  std::vector<std::uint32_t> first_triangle_;  ///< of each shape
+};
+
+}  // namespace photopic

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+
+#include "core/frame.h"
+#include "core/sampling.h"
+#include "core/surface.h"
+
+namespace photopic {
+
+/// BSDFs work in the shading frame, the normal being +z and wo lying in the upper hemisphere (glass: either).
+/// wo points to the viewer, wi to where light comes from; both unit.
+
+/// Value and density of the lobes that are not delta functions.
+template <int N>
+struct BsdfValue {
+  SampledSpectrum<N> f_cos{0.0f};  ///< f(wo, wi)·|cos θi| [1/sr]
+  float pdf = 0.0f;                ///< of sample() giving wi, w.r.t. solid angle [1/sr]
+};
+
+template <int N>
+struct BsdfSample {
+  Vec3f wi;
+  SampledSpectrum<N> weight;  ///< f·|cos θi| / pdf
+  float pdf;                  ///< w.r.t. solid angle [1/sr]; meaningless when delta
+  bool delta;                 ///< no other technique can find wi
+  float eta = 1.0f;           ///< ratio of refractive indices crossed, η_t/η_i
+};
+
+/// Lambert.
+template <int N>
+struct DiffuseBsdf {
+  static constexpr bool kTwoSided = true;
+
+  SampledSpectrum<N> albedo;
+
+  DiffuseBsdf(const Surface& surface, SampledSpectrum<N> lambda)
+      : albedo(sample_spectrum<N>(surface.base_color, lambda)) {}
+
+  BsdfValue<N> evaluate(Vec3f, Vec3f wi) const {
+    if (wi.z <= 0.0f) return {};
+    const float pdf = cosine_hemisphere_pdf(wi.z);
+    return {albedo * pdf, pdf};
+  }
+
+  std::optional<BsdfSample<N>> sample(Vec3f, float, Sample2d u) const {
+    const Vec3f wi = sample_cosine_hemisphere(u);
+    if (wi.z <= 0.0f) return {};
+    return BsdfSample<N>{wi, albedo, cosine_hemisphere_pdf(wi.z), false};
+  }
+};
+
+}  // namespace photopic

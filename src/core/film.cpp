@@ -1,0 +1,52 @@
+#include "core/film.h"
+
+#include <algorithm>
+
+namespace photopic {
+
+Film::Film(int width, int height)
+    : width_(width),
+      height_(height),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+
+Xyz Film::mean(std::size_t pixel) const {
+  const Pixel& p = pixels_[pixel];
+  return p.count == 0 ? Xyz{} : p.sum * (1.0 / static_cast<double>(p.count));
+}
+
+Xyz Film::variance_of_mean(std::size_t pixel) const {
+  const Pixel& p = pixels_[pixel];
+  if (p.count < 2) return {};
+  const double n = static_cast<double>(p.count);
+  const auto variance = [n](double sum, double squares) {
+    return std::max(0.0, (squares - sum * sum / n) / (n - 1.0)) / n;
+  };
+  return {variance(p.sum.x, p.sum_of_squares.x), variance(p.sum.y, p.sum_of_squares.y),
+          variance(p.sum.z, p.sum_of_squares.z)};
+}
+
+Xyz Film::image_mean() const {
+  Xyz sum;
+  for (std::size_t i = 0; i < pixels_.size(); ++i) sum += mean(i);
+  return sum * (1.0 / static_cast<double>(pixels_.size()));
+}
+
+Xyz Film::image_variance_of_mean() const {
+  Xyz sum;
+  for (std::size_t i = 0; i < pixels_.size(); ++i) sum += variance_of_mean(i);
+  const double n = static_cast<double>(pixels_.size());
+  return sum * (1.0 / (n * n));
+}
+
+Image Film::to_linear_srgb() const {
+  Image image(width_, height_);
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const Rgb rgb = xyz_to_linear_srgb(mean(i));
+    image.pixels[3 * i] = static_cast<float>(rgb.r);
+    image.pixels[3 * i + 1] = static_cast<float>(rgb.g);
+    image.pixels[3 * i + 2] = static_cast<float>(rgb.b);
+  }
+  return image;
+}
+
+}  // namespace photopic

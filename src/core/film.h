@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/image_io.h"
+#include "spectral/color.h"
+
+namespace photopic {
+
+/// Sums of XYZ samples in double, a pixel each with its own count; box filter. A pixel's samples are to be
+/// added in order of their index, by one thread at a time: then the bits do not depend on threads or batches.
+class Film {
+ public:
+  Film(int width, int height);
+
+  void add(std::size_t pixel, const Xyz& sample) {
+    Pixel& p = pixels_[pixel];
+    p.sum += sample;
+    p.sum_of_squares += Xyz{sample.x * sample.x, sample.y * sample.y, sample.z * sample.z};
+    ++p.count;
+  }
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+  Xyz mean(std::size_t pixel) const;
+  /// Variance of the pixel's mean, from its samples as if they were independent (an upper estimate for
+  /// stratified ones).
+  Xyz variance_of_mean(std::size_t pixel) const;
+
+  /// The mean over all pixels, and its variance as above.
+  Xyz image_mean() const;
+  Xyz image_variance_of_mean() const;
+
+  /// Unclipped linear sRGB.
+  Image to_linear_srgb() const;
+
+ private:
+  struct Pixel {
+    Xyz sum, sum_of_squares;
+    std::uint64_t count = 0;
+  };
+  int width_, height_;
+  std::vector<Pixel> pixels_;
+};
+
+}  // namespace photopic

@@ -1,0 +1,38 @@
+#pragma once
+
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#include <tiny_gltf.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/gltf_file.h"
+
+namespace photopic {
+
+/// A glTF file whose structure has been checked: every index in `model` is valid, every accessor lies inside
+/// its view and every view inside its buffer. (`model.buffers`, images and animations are left empty.)
+struct GltfDocument {
+  GltfFile file;
+  tinygltf::Model model;
+  std::vector<std::vector<std::byte>> storage;
+  std::vector<std::span<const std::byte>>
+      buffers;  ///< at least byteLength long, or empty where the file gives no bytes
+
+  std::filesystem::path folder() const { return file.path.parent_path(); }
+
+  /// @throws InputError "file#pointer: problem; remedy"
+  [[noreturn]] void fail(const std::string& pointer, const std::string& problem,
+                         const std::string& remedy = "correct it or export the file again") const;
+};
+
+/// Reads, checks and parses a .gltf or .glb with its buffers.
+/// @throws InputError
+GltfDocument read_gltf_document(const std::filesystem::path& path);
+
+}  // namespace photopic

@@ -1,0 +1,182 @@
+#include "core/gltf_file.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+
+#include "error.h"
+
+namespace photopic {
+namespace {
+
+constexpr int kMaxNesting = 100;
+constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
+constexpr const char* kReexport = "export the file again";
+
+std::vector<char> read_bytes(const std::filesystem::path& path, const std::string& where,
+                             std::size_t at_least, std::size_t at_most) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    throw InputError(where, fmt::format("there is no file \"{}\"", path.string()),
+                     "check its name and folder");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size < at_least) {
+    throw InputError(
+        where,
+        fmt::format("\"{}\" holds {} bytes where {} are needed", path.string(), error ? 0 : size, at_least),
+        "the file is cut short: copy or export it again");
+  }
+  std::vector<char> bytes(std::min<std::uintmax_t>(size, at_most));
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+    throw InputError(where, fmt::format("\"{}\" cannot be read", path.string()), "check its permissions");
+  }
+  return bytes;
+}
+
+std::uint32_t word_at(const GltfFile& file, std::size_t offset) {
+  std::uint32_t word;
+  std::memcpy(&word, file.bytes.data() + offset, sizeof word);
+  return word;
+}
+
+/// Bytes beyond the length in the header do no harm; anything short of it does.
+void split_glb(GltfFile& file) {
+  const std::string where = file.path.string();
+  if (file.bytes.size() < 20) throw InputError(where, "the file is too short for a .glb", kReexport);
+  if (word_at(file, 4) != 2)
+    throw InputError(where, fmt::format(".glb version {} is not 2", word_at(file, 4)), "export glTF 2.0");
+  const std::uint64_t length = word_at(file, 8);
+  if (length > file.bytes.size()) {
+    throw InputError(
+        where, fmt::format("the header announces {} bytes, the file holds {}", length, file.bytes.size()),
+        "the file is cut short: copy or export it again");
+  }
+  for (std::uint64_t at = 12; at + 8 <= length;) {
+    const std::uint64_t size = word_at(file, at);
+    const std::uint32_t type = word_at(file, at + 4);
+    const bool first = at == 12;
+    if (at + 8 + size > length) {
+      throw InputError(where, fmt::format("the chunk at byte {} reaches beyond the end of the file", at),
+                       kReexport);
+    }
+    if (first != (type == kJsonChunk)) {
+      throw InputError(where, fmt::format("the chunk at byte {} is of the wrong type", at), kReexport);
+    }
+    if (first) file.json = {file.bytes.data() + at + 8, size};
+    if (type == kBinChunk && file.bin.empty())
+      file.bin = std::as_bytes(std::span(file.bytes).subspan(at + 8, size));
+    at += 8 + (size + 3) / 4 * 4;
+  }
+}
+
+void check_nesting(const GltfFile& file) {
+  int depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < file.json.size(); ++i) {
+    const char c = file.json[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      if (c == '"') in_string = false;
+      continue;
+    }
+    if (c == '"') in_string = true;
+    if (c == '[' || c == '{') ++depth;
+    if (c == ']' || c == '}') --depth;
+    if (depth > kMaxNesting) {
+      throw InputError(file.path.string(),
+                       fmt::format("the JSON is nested more than {} deep at byte {}", kMaxNesting, i),
+                       "remove the nested extras");
+    }
+  }
+}
+
+constexpr std::array<std::int8_t, 256> base64_values() {
+  std::array<std::int8_t, 256> values{};
+  values.fill(-1);
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  for (std::size_t i = 0; i < digits.size(); ++i)
+    values[static_cast<unsigned char>(digits[i])] = static_cast<std::int8_t>(i);
+  return values;
+}
+
+std::vector<std::byte> decode_base64(std::string_view text, const std::string& where) {
+  static constexpr auto kValues = base64_values();
+  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+  std::vector<std::byte> bytes;
+  bytes.reserve(text.size() * 3 / 4);
+  std::uint32_t word = 0;
+  int bits = 0;
+  for (const char c : text) {
+    const int value = kValues[static_cast<unsigned char>(c)];
+    if (value < 0) throw InputError(where, "the data URI holds a character that is not base64", kReexport);
+    word = word << 6 | static_cast<std::uint32_t>(value);
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes.push_back(static_cast<std::byte>(word >> bits & 0xFF));
+  }
+  return bytes;
+}
+
+int hex_value(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+std::string decode_percent(std::string_view text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool coded =
+        text[i] == '%' && i + 2 < text.size() && hex_value(text[i + 1]) >= 0 && hex_value(text[i + 2]) >= 0;
+    decoded += coded ? static_cast<char>(hex_value(text[i + 1]) * 16 + hex_value(text[i + 2])) : text[i];
+    if (coded) i += 2;
+  }
+  return decoded;
+}
+
+}  // namespace
+
+GltfFile read_gltf_file(const std::filesystem::path& path) {
+  GltfFile file{.path = path, .bytes = read_bytes(path, path.string(), 1, SIZE_MAX), .json = {}, .bin = {}};
+  const bool glb = file.bytes.size() >= 4 && word_at(file, 0) == kMagic;
+  if (!glb && path.extension() == ".glb") {
+    throw InputError(path.string(), "the file does not begin with \"glTF\" as a .glb does", kReexport);
+  }
+  file.json = {file.bytes.data(), file.bytes.size()};
+  if (glb) split_glb(file);
+  check_nesting(file);
+  return file;
+}
+
+std::vector<std::byte> read_gltf_uri(const std::string& uri, std::size_t byte_length,
+                                     const std::filesystem::path& folder, const std::string& where) {
+  if (uri.starts_with("data:")) {
+    const std::size_t comma = uri.find(',');
+    if (comma == std::string::npos || !uri.substr(0, comma).ends_with(";base64")) {
+      throw InputError(where, "the data URI is not in base64", kReexport);
+    }
+    std::vector<std::byte> bytes = decode_base64(std::string_view(uri).substr(comma + 1), where);
+    if (bytes.size() >= byte_length) return bytes;
+    throw InputError(where,
+                     fmt::format("the data URI holds {} bytes, byteLength is {}", bytes.size(), byte_length),
+                     kReexport);
+  }
+  if (uri.find("://") != std::string::npos)
+    throw InputError(where, "the uri is not a local file", "download it beside the glTF file");
+  // A name may hold a literal per cent sign that its exporter forgot to encode.
+  const std::filesystem::path decoded = folder / decode_percent(uri), literal = folder / uri;
+  std::error_code error;
+  const bool as_written = !std::filesystem::exists(decoded, error) && std::filesystem::exists(literal, error);
+  const std::vector<char> bytes = read_bytes(as_written ? literal : decoded, where, byte_length, byte_length);
+  const auto view = std::as_bytes(std::span(bytes));
+  return {view.begin(), view.end()};
+}
+
+}  // namespace photopic

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace photopic {
+
+/// A .gltf or .glb file in memory, taken apart but not yet parsed.
+struct GltfFile {
+  std::filesystem::path path;
+  std::vector<char> bytes;
+  std::string_view json;           ///< in `bytes`
+  std::span<const std::byte> bin;  ///< in `bytes`; the .glb's binary chunk, empty when there is none
+};
+
+/// Reads the file and finds its parts (glTF 2.0, section 4.4); refuses JSON nested too deep for recursive
+/// parsers.
+/// @throws InputError
+GltfFile read_gltf_file(const std::filesystem::path& path);
+
+/// The bytes of a buffer's `uri`, at least `byte_length` of them: a base64 data URI (RFC 2397) or a file
+/// beside the glTF file, its name percent-encoded (RFC 3986).
+/// @param where names the buffer in messages
+/// @throws InputError
+std::vector<std::byte> read_gltf_uri(const std::string& uri, std::size_t byte_length,
+                                     const std::filesystem::path& folder, const std::string& where);
+
+}  // namespace photopic

@@ -1,0 +1,58 @@
+#include "core/gltf_loader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/gltf_camera.h"
+#include "core/gltf_document.h"
+#include "core/gltf_emission.h"
+#include "core/gltf_geometry.h"
+#include "core/gltf_material.h"
+#include "core/gltf_nodes.h"
+#include "core/gltf_rules.h"
+#include "error.h"
+
+namespace photopic {
+namespace {
+
+void warn_of_extensions(const GltfDocument& document, std::vector<std::string>& warnings) {
+  const auto known = [](const std::string& name) {
+    return std::ranges::count(gltf_rules::kSupported, name) > 0 || name == "KHR_materials_unlit" ||
+           name == "KHR_texture_transform";
+  };
+  std::vector<std::string> names = document.model.extensionsUsed;
+  std::ranges::sort(names);
+  names.erase(std::ranges::unique(names).begin(), names.end());
+  for (const std::string& name : names) {
+    if (!known(name)) warnings.push_back(fmt::format("the extension {} is ignored", name.substr(0, 60)));
+  }
+}
+
+void check_complete(const GltfDocument& document, const Scene& scene) {
+  const std::string file = document.file.path.string();
+  if (scene.camera.width == 0) {
+    throw InputError(file, "the scene has no perspective camera",
+                     "add one, and let the exporter include cameras");
+  }
+  if (scene.emission_spectra.empty()) {
+    throw InputError(file, "nothing in the scene emits light", "give a material an emissiveFactor above 0");
+  }
+}
+
+}  // namespace
+
+Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
+  const GltfDocument document = read_gltf_document(file);
+  Scene scene;
+  const std::vector<NodeInstance> instances = walk_nodes(document, scene.warnings);
+  warn_of_extensions(document, scene.warnings);
+  load_gltf_geometry(document, instances, scene);
+  load_gltf_materials(document, scene);
+  load_gltf_emission(document, options.emitters, scene);
+  load_gltf_camera(document, instances, options, scene);
+  if (!options.allow_incomplete) check_complete(document, scene);
+  return scene;
+}
+
+}  // namespace photopic

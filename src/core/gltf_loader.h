@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/scene.h"
+
+namespace photopic {
+
+/// `--emitter [NAME=]SPECTRUM`
+struct EmitterOverride {
+  std::string name;  ///< of the material; empty: every emitter
+  std::string text;  ///< SPECTRUM as the user wrote it; files relative to the working folder
+};
+
+struct GltfOptions {
+  std::vector<EmitterOverride> emitters{};  ///< later ones win; a NAME wins over an empty name
+  std::string camera{};                     ///< the camera's name; empty: the scene's first
+  int width = 0, height = 0;      ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
+  bool allow_incomplete = false;  ///< no camera (its width stays 0) and no light are no errors
+};
+
+/// Loads the default scene of a .gltf or .glb file. Everything read from the file is checked before it is
+/// used.
+/// @throws InputError naming the file, the JSON pointer of the place, what is wrong and what to do
+Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options = {});
+
+}  // namespace photopic

@@ -1,0 +1,170 @@
+#include "core/gltf_material.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "error.h"
+#include "spectral/rgb_upsampling.h"
+#include "spectral/spectrum_file.h"
+
+namespace photopic {
+namespace {
+
+/// An extension's members, their types and ranges already checked; absent ones have glTF's defaults.
+class Extension {
+ public:
+  Extension(const tinygltf::Material& material, const char* name) {
+    const auto found = material.extensions.find(name);
+    if (found != material.extensions.end()) value_ = &found->second;
+  }
+  explicit operator bool() const { return value_ != nullptr; }
+  bool has(const char* key) const { return value_ && value_->Has(key); }
+  float number(const char* key, double otherwise) const {
+    return static_cast<float>(has(key) ? value_->Get(key).GetNumberAsDouble() : otherwise);
+  }
+  Rgb color(const char* key) const {
+    if (!has(key)) return {1, 1, 1};
+    const auto component = [&](int i) { return value_->Get(key).Get(i).GetNumberAsDouble(); };
+    return {component(0), component(1), component(2)};
+  }
+
+ private:
+  const tinygltf::Value* value_ = nullptr;
+};
+
+std::vector<double> numbers(const GltfDocument& document, const std::string& pointer,
+                            const tinygltf::Value& spectrum, const char* key) {
+  const tinygltf::Value& list = spectrum.Get(key);
+  std::vector<double> values;
+  bool good = list.IsArray();
+  for (std::size_t i = 0; good && i < list.ArrayLen(); ++i) {
+    good = list.Get(static_cast<int>(i)).IsNumber();
+    if (good) values.push_back(list.Get(static_cast<int>(i)).GetNumberAsDouble());
+  }
+  if (!good)
+    document.fail(pointer, fmt::format("\"{}\" is not a list of numbers", key),
+                  "write {\"nm\": [...], \"value\": [...]}");
+  return values;
+}
+
+void check_reflectance(const GltfDocument& document, const std::string& pointer, const Spectrum& spectrum) {
+  const auto check = [&](double lambda) {
+    const double value = evaluate(spectrum, lambda);
+    if (!(value >= 0.0 && value <= 1.0)) {
+      document.fail(pointer,
+                    fmt::format("a reflectance of {} at {} nm is not between 0 and 1", value, lambda),
+                    "divide percentages by 100");
+    }
+  };
+  for (int lambda = static_cast<int>(kLambdaMin); lambda <= static_cast<int>(kLambdaMax); ++lambda)
+    check(lambda);
+  if (const auto* table = std::get_if<TabulatedSpectrum>(&spectrum))
+    std::ranges::for_each(table->lambda(), check);
+}
+
+Spectrum base_color(const GltfDocument& document, std::size_t index) {
+  const auto given = extras_spectrum(document, index, "reflectance_spectrum", Beyond::end_value);
+  const auto& factor = document.model.materials[index].pbrMetallicRoughness.baseColorFactor;
+  if (!given) return reflectance_from_rgb({factor[0], factor[1], factor[2]});
+  check_reflectance(document, fmt::format("/materials/{}/extras/reflectance_spectrum", index),
+                    given->spectrum);
+  return given->spectrum;
+}
+
+Material load_material(const GltfDocument& document, std::size_t index) {
+  const tinygltf::Material& source = document.model.materials[index];
+  const std::string pointer = fmt::format("/materials/{}", index);
+  const Extension specular(source, "KHR_materials_specular"), ior(source, "KHR_materials_ior");
+  const Extension transmission(source, "KHR_materials_transmission"), volume(source, "KHR_materials_volume");
+
+  Material material;
+  material.name = source.name;
+  material.base_color = base_color(document, index);
+  material.metallic = static_cast<float>(source.pbrMetallicRoughness.metallicFactor);
+  material.roughness = static_cast<float>(source.pbrMetallicRoughness.roughnessFactor);
+  material.ior = ior.number("ior", 1.5);
+  if (material.ior > 0.0f && material.ior < 1.0f)
+    document.fail(pointer + "/extensions/KHR_materials_ior/ior",
+                  fmt::format("{} is neither 0 nor at least 1", material.ior), "glass is 1.5, water 1.33");
+  material.specular = specular.number("specularFactor", 1.0);
+  material.specular_color = reflectance_from_rgb(specular.color("specularColorFactor"));
+  material.transmission = transmission.number("transmissionFactor", 0.0);
+  material.thin_walled = !(volume.number("thicknessFactor", 0.0) > 0.0f);
+  material.attenuation_color = reflectance_from_rgb(volume.color("attenuationColor"));
+  material.attenuation_distance = volume.number("attenuationDistance", 0.0);
+  if (!std::isfinite(material.attenuation_distance)) material.attenuation_distance = 0.0f;
+  material.double_sided = source.doubleSided;
+  return material;
+}
+
+bool has_textures(const tinygltf::Material& m) {
+  const bool core = m.pbrMetallicRoughness.baseColorTexture.index >= 0 ||
+                    m.pbrMetallicRoughness.metallicRoughnessTexture.index >= 0 ||
+                    m.normalTexture.index >= 0 || m.occlusionTexture.index >= 0 ||
+                    m.emissiveTexture.index >= 0;
+  const auto extension_has = [](const auto& extension) {
+    const auto is_texture = [](const std::string& key) { return key.ends_with("Texture"); };
+    return extension.second.IsObject() && std::ranges::any_of(extension.second.Keys(), is_texture);
+  };
+  return core || std::ranges::any_of(m.extensions, extension_has);
+}
+
+void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& warnings) {
+  std::size_t textured = 0, transparent = 0, unlit = 0, bright_specular = 0;
+  for (const tinygltf::Material& m : document.model.materials) {
+    if (has_textures(m)) ++textured;
+    if (m.alphaMode == "MASK" || m.alphaMode == "BLEND") ++transparent;
+    if (m.extensions.contains("KHR_materials_unlit")) ++unlit;
+    const Rgb color = Extension(m, "KHR_materials_specular").color("specularColorFactor");
+    if (std::max({color.r, color.g, color.b}) > 1.0) ++bright_specular;
+  }
+  const auto add = [&](std::size_t count, const char* text) {
+    if (count > 0) warnings.push_back(fmt::format("{}: {}", text, count));
+  };
+  add(textured, "materials with textures, rendered by their factors alone");
+  add(transparent, "materials with an alphaMode, rendered opaque");
+  add(unlit, "materials that are unlit, rendered lit");
+  add(bright_specular, "materials with a specularColorFactor above 1, cut to 1");
+}
+
+}  // namespace
+
+Spectrum reflectance_from_rgb(const Rgb& color) {
+  if (color.r == color.g && color.g == color.b) return ConstantSpectrum{std::clamp(color.r, 0.0, 1.0)};
+  return upsample_reflectance(color);
+}
+
+std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, std::size_t index,
+                                              const char* key, Beyond beyond) {
+  const tinygltf::Value& extras = document.model.materials[index].extras;
+  if (!extras.IsObject() || !extras.Has(key)) return std::nullopt;
+  const tinygltf::Value& value = extras.Get(key);
+  const std::string pointer = fmt::format("/materials/{}/extras/{}", index, key);
+  try {
+    if (value.IsString()) {
+      const auto& text = value.Get<std::string>();
+      return ExtrasSpectrum{parse_spectrum(text, document.folder(), beyond), text};
+    }
+    const TabulatedSpectrum table(numbers(document, pointer, value, "nm"),
+                                  numbers(document, pointer, value, "value"), beyond);
+    return ExtrasSpectrum{table, "of material " + document.model.materials[index].name};
+  } catch (const std::invalid_argument& error) {
+    document.fail(pointer, error.what(), "correct the spectrum");
+  } catch (const InputError& error) {
+    if (!value.IsString()) throw;
+    throw InputError(document.file.path.string() + "#" + pointer, error.what(),
+                     "files are sought beside the glTF file");
+  }
+}
+
+void load_gltf_materials(const GltfDocument& document, Scene& scene) {
+  const std::size_t count = document.model.materials.size();
+  scene.materials.reserve(count + 1);
+  for (std::size_t i = 0; i < count; ++i) scene.materials.push_back(load_material(document, i));
+  scene.materials.push_back(Material{.name = "default"});
+  warn_of_ignored(document, scene.warnings);
+}
+
+}  // namespace photopic

@@ -1,0 +1,132 @@
+#include "core/gltf_nodes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace photopic {
+namespace {
+
+constexpr std::size_t kMaxShared = 1'000'000;  // visits beyond one a node, of nodes with several parents
+constexpr int kOddDepth = 1000;
+
+std::string node_pointer(int node) {
+  return fmt::format("/nodes/{}", node);
+}
+
+Affine matrix_of(const GltfDocument& document, int index, const std::vector<double>& m) {
+  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
+    document.fail(node_pointer(index) + "/matrix", "the last row is not 0 0 0 1",
+                  "apply the transformation before exporting");
+  }
+  return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
+}
+
+/// The rotation by a quaternion x, y, z, w; exporters round, so it is normalised first.
+Affine rotation_of(const GltfDocument& document, int index, const std::vector<double>& q) {
+  const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+  if (!(norm > 0.0) || !std::isfinite(norm))
+    document.fail(node_pointer(index) + "/rotation", "this quaternion is zero or too large");
+  const double x = q[0] / norm, y = q[1] / norm, z = q[2] / norm, w = q[3] / norm;
+  return {{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
+          {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
+          {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)},
+          {}};
+}
+
+Affine local_transform(const GltfDocument& document, int index) {
+  const tinygltf::Node& node = document.model.nodes[index];
+  if (!node.matrix.empty()) return matrix_of(document, index, node.matrix);
+  Affine local = node.rotation.empty() ? Affine{} : rotation_of(document, index, node.rotation);
+  if (!node.scale.empty()) {
+    local.x = local.x * node.scale[0];
+    local.y = local.y * node.scale[1];
+    local.z = local.z * node.scale[2];
+  }
+  if (!node.translation.empty()) local.t = {node.translation[0], node.translation[1], node.translation[2]};
+  return local;
+}
+
+/// Depth first through all nodes, without recursion: chains may be as long as the file.
+void check_cycles(const GltfDocument& document) {
+  enum State : char { unseen, on_path, done };
+  struct Step {
+    int node;
+    std::size_t child;
+  };
+  const auto& nodes = document.model.nodes;
+  std::vector<State> state(nodes.size(), unseen);
+  std::vector<Step> path;
+  for (int root = 0; root < static_cast<int>(nodes.size()); ++root) {
+    if (state[root] == unseen) path.push_back({root, 0}), state[root] = on_path;
+    while (!path.empty()) {
+      auto& [node, child] = path.back();
+      if (child == nodes[node].children.size()) {
+        state[node] = done;
+        path.pop_back();
+        continue;
+      }
+      const int next = nodes[node].children[child++];
+      if (state[next] == on_path)
+        document.fail(node_pointer(node) + "/children", fmt::format("node {} is its own ancestor", next),
+                      "take it out of the children");
+      if (state[next] == unseen) path.push_back({next, 0}), state[next] = on_path;
+    }
+  }
+}
+
+std::vector<int> scene_roots(const tinygltf::Model& model) {
+  if (!model.scenes.empty()) return model.scenes[model.defaultScene >= 0 ? model.defaultScene : 0].nodes;
+  std::vector<bool> is_child(model.nodes.size(), false);
+  for (const auto& node : model.nodes) {
+    for (const int child : node.children) is_child[child] = true;
+  }
+  std::vector<int> roots;
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    if (!is_child[i]) roots.push_back(static_cast<int>(i));
+  }
+  return roots;
+}
+
+bool is_finite(const Affine& m) {
+  return photopic::is_finite(m.x) && photopic::is_finite(m.y) && photopic::is_finite(m.z) &&
+         photopic::is_finite(m.t);
+}
+
+}  // namespace
+
+std::vector<NodeInstance> walk_nodes(const GltfDocument& document, std::vector<std::string>& warnings) {
+  check_cycles(document);
+  const auto& nodes = document.model.nodes;
+  std::vector<NodeInstance> found, pending;
+  const auto push_reversed = [&](const std::vector<int>& children, const Affine& parent, int depth) {
+    for (auto child = children.rbegin(); child != children.rend(); ++child)
+      pending.push_back({*child, parent, depth});
+  };
+
+  int deepest = 0;
+  push_reversed(scene_roots(document.model), Affine{}, 0);
+  for (std::size_t visits = 0; !pending.empty(); ++visits) {
+    NodeInstance instance = pending.back();
+    pending.pop_back();
+    const tinygltf::Node& node = nodes[instance.node];
+    if (visits > nodes.size() + kMaxShared) {
+      document.fail(node_pointer(instance.node),
+                    "nodes with several parents multiply beyond a million instances",
+                    "give each node one parent");
+    }
+    instance.to_world = instance.to_world * local_transform(document, instance.node);
+    if (!is_finite(instance.to_world)) {
+      document.fail(node_pointer(instance.node), "its place in the world is not finite",
+                    "correct the scales of its parents");
+    }
+    push_reversed(node.children, instance.to_world, instance.depth + 1);
+    if (node.mesh >= 0 || node.camera >= 0) found.push_back(instance);
+    deepest = std::max(deepest, instance.depth);
+  }
+  if (deepest > kOddDepth) warnings.push_back(fmt::format("nodes lie up to {} levels deep", deepest));
+  return found;
+}
+
+}  // namespace photopic

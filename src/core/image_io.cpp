@@ -1,0 +1,168 @@
+#include "core/image_io.h"
+
+#include <OpenImageIO/imageio.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "error.h"
+#include "spectral/color.h"
+
+namespace photopic {
+namespace {
+
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
+
+enum class Encoding { unknown, linear, srgb };
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+Encoding encoding_of(const std::filesystem::path& file) {
+  const std::string ending = lower_case(file.extension().string());
+  if (ending == ".exr" || ending == ".hdr") return Encoding::linear;
+  if (ending == ".png" || ending == ".jpg" || ending == ".jpeg") return Encoding::srgb;
+  return Encoding::unknown;
+}
+
+std::string one_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  return text.empty() ? "unknown reason" : text;
+}
+
+/// 8-bit sRGB after exposure. A pixel with a NaN is magenta, so that it is seen.
+std::vector<std::uint8_t> encode(const Image& image, double exposure_ev) {
+  const double scale = std::exp2(exposure_ev);
+  std::vector<std::uint8_t> bytes(image.pixels.size());
+  for (std::size_t i = 0; i + 2 < bytes.size(); i += 3) {
+    const float* pixel = &image.pixels[i];
+    const bool nan = std::isnan(pixel[0]) || std::isnan(pixel[1]) || std::isnan(pixel[2]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double value = nan ? (c == 1 ? 0.0 : 1.0) : srgb_encode(std::clamp(pixel[c] * scale, 0.0, 1.0));
+      bytes[i + c] = static_cast<std::uint8_t>(std::lround(255.0 * value));
+    }
+  }
+  return bytes;
+}
+
+OIIO::ImageSpec make_spec(const Image& image, bool linear, const Metadata& metadata) {
+  OIIO::ImageSpec spec(image.width, image.height, 3, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
+  spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
+  if (linear) {
+    // Rec. ITU-R BT.709-6, table 1: red, green, blue, white (D65).
+    const float chromaticities[8] = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), chromaticities);
+    spec.attribute("compression", "zip");
+  } else {
+    spec.attribute("CompressionQuality", 95);
+  }
+  for (const auto& [key, value] : metadata) spec.attribute(key, value);
+  return spec;
+}
+
+/// A name beside the file, with its ending, that no other process uses.
+std::filesystem::path partial_name(const std::filesystem::path& file) {
+  std::filesystem::path name = file;
+  name.replace_filename(
+      fmt::format(".{}.{}.partial{}", file.stem().string(), ::getpid(), file.extension().string()));
+  return name;
+}
+
+void write_now(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
+               double exposure_ev) {
+  const auto fail = [&](const std::string& why) {
+    throw InputError(file.string(), "cannot be written: " + one_line(why),
+                     "check the folder and its free space");
+  };
+  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(file.string());
+  if (!output) fail(OIIO::geterror());
+  const bool linear = encoding_of(file) == Encoding::linear;
+  if (!output->open(file.string(), make_spec(image, linear, metadata))) fail(output->geterror());
+  const bool written = linear ? output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data())
+                              : output->write_image(OIIO::TypeDesc::UINT8, encode(image, exposure_ev).data());
+  if (!written || !output->close()) fail(output->geterror());
+}
+
+/// The first channel of R, G, B where they stand side by side, else 0.
+int first_channel(const OIIO::ImageSpec& spec) {
+  const auto& names = spec.channelnames;
+  const auto red = std::ranges::find(names, "R");
+  const bool together = names.end() - red >= 3 && red[1] == "G" && red[2] == "B";
+  return together ? static_cast<int>(red - names.begin()) : 0;
+}
+
+}  // namespace
+
+void check_writable_image(const std::filesystem::path& file) {
+  if (encoding_of(file) == Encoding::unknown) {
+    throw InputError(file.string(), "the ending is not one of .exr, .hdr, .png, .jpg", "name the image so");
+  }
+  std::error_code error;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  if (!std::filesystem::is_directory(folder, error))
+    throw InputError(file.string(), fmt::format("there is no folder \"{}\"", folder.string()),
+                     "create it first");
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw InputError(file.string(), fmt::format("the folder \"{}\" cannot be written to", folder.string()),
+                     "choose another");
+  if (std::filesystem::is_directory(file, error))
+    throw InputError(file.string(), "this is a folder", "name a file in it");
+}
+
+void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
+                 double exposure_ev) {
+  check_writable_image(file);
+  const std::filesystem::path partial = partial_name(file);
+  std::error_code error;
+  try {
+    write_now(partial, image, metadata, exposure_ev);
+    std::filesystem::rename(partial, file);
+  } catch (const std::filesystem::filesystem_error& problem) {
+    std::filesystem::remove(partial, error);
+    throw InputError(file.string(), "cannot be written: " + problem.code().message(), "choose another name");
+  } catch (...) {
+    std::filesystem::remove(partial, error);
+    throw;
+  }
+}
+
+Image read_image(const std::filesystem::path& file) {
+  const auto fail = [&](const std::string& problem, const std::string& remedy) {
+    throw InputError(file.string(), problem, remedy);
+  };
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error))
+    fail("there is no such file", "check its name and folder");
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string());
+  if (!input)
+    fail("this is no image that can be read: " + one_line(OIIO::geterror()),
+         "give an .exr, .hdr, .png or .jpg");
+
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 ||
+      std::int64_t{spec.width} * spec.height > kMaxPixels) {
+    fail(fmt::format("{} x {} x {} pixels cannot be read", spec.width, spec.height, spec.depth),
+         "give a smaller picture");
+  }
+  if (spec.nchannels < 3)
+    fail(fmt::format("it has {} channels where 3 are needed", spec.nchannels), "give a picture in colour");
+  const bool encoded = !spec.format.is_floating_point();
+  Image image(spec.width, spec.height);
+  const int first = first_channel(spec);
+  if (!input->read_image(0, 0, first, first + 3, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
+    fail("it is damaged: " + one_line(input->geterror()), "copy or write it again");
+  }
+  if (encoded) {
+    for (float& value : image.pixels) value = static_cast<float>(srgb_decode(value));
+  }
+  return image;
+}
+
+}  // namespace photopic

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace photopic {
+
+inline constexpr float kPi = std::numbers::pi_v<float>;
+inline constexpr float kInvPi = std::numbers::inv_pi_v<float>;
+
+template <typename T>
+struct Vec3 {
+  T x = 0, y = 0, z = 0;
+
+  friend Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+  friend Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Vec3 operator*(Vec3 a, T s) { return {a.x * s, a.y * s, a.z * s}; }
+  friend Vec3 operator*(T s, Vec3 a) { return a * s; }
+  friend Vec3 operator/(Vec3 a, T s) { return {a.x / s, a.y / s, a.z / s}; }
+  Vec3 operator-() const { return {-x, -y, -z}; }
+  bool operator==(const Vec3&) const = default;
+};
+using Vec3f = Vec3<float>;
+using Vec3d = Vec3<double>;
+
+template <typename T>
+T dot(Vec3<T> a, Vec3<T> b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <typename T>
+Vec3<T> cross(Vec3<T> a, Vec3<T> b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <typename T>
+T length(Vec3<T> a) {
+  return std::sqrt(dot(a, a));
+}
+template <typename T>
+Vec3<T> normalize(Vec3<T> a) {
+  return a / length(a);
+}
+template <typename T>
+T max_abs(Vec3<T> a) {
+  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+}
+template <typename T>
+bool is_finite(Vec3<T> a) {
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+inline Vec3f to_float(Vec3d a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+inline Vec3d to_double(Vec3f a) {
+  return {a.x, a.y, a.z};
+}
+
+inline float sqr(float x) {
+  return x * x;
+}
+inline float safe_sqrt(float x) {
+  return std::sqrt(std::max(0.0f, x));
+}
+
+}  // namespace photopic

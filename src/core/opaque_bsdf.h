@@ -1,0 +1,138 @@
+#pragma once
+
+#include "core/bsdf.h"
+#include "core/ggx_albedo.h"
+#include "core/microfacet.h"
+
+namespace photopic {
+
+/// Below this α a microsurface is taken for a perfect mirror.
+inline constexpr float kSmoothAlpha = 1e-3f;
+
+/// glTF 2.0's metallic-roughness model (appendix B) with KHR_materials_specular and _ior: a GGX reflection
+/// with Schlick's Fresnel term over a diffuse base. Energy is conserved: bounces between microfacets are
+/// given back after Kulla & Conty 2017 ("Revisiting Physically Based Shading at Imageworks"), and the base
+/// receives just what the reflection leaves.
+template <int N>
+class OpaqueBsdf {
+ public:
+  static constexpr bool kTwoSided = true;
+
+  OpaqueBsdf(const Surface& s, SampledSpectrum<N> lambda) : roughness_(s.roughness), ggx_{s.alpha} {
+    const auto base = sample_spectrum<N>(s.base_color, lambda);
+    const float r0 = s.ior == 0.0f ? 1.0f : sqr((s.ior - 1.0f) / (s.ior + 1.0f));
+    auto f0 = sample_spectrum<N>(s.specular_color, lambda) * r0;
+    for (int j = 0; j < N; ++j) f0.v[j] = std::min(f0.v[j], 1.0f);
+    dielectric_ = {f0 * s.specular, SampledSpectrum<N>(s.specular)};
+    metal_ = {base, SampledSpectrum<N>(1.0f)};
+    metallic_ = s.metallic;
+    diffuse_ = base * (1.0f - s.metallic);
+  }
+
+  BsdfValue<N> evaluate(Vec3f wo, Vec3f wi) const {
+    if (wi.z <= 0.0f || wo.z <= 0.0f) return {};
+    const View view = look(wo);
+    BsdfValue<N> value{base(view, wi), (1.0f - view.specular_probability) * cosine_hemisphere_pdf(wi.z)};
+    if (mirror()) return value;
+    const Vec3f m = normalize(wo + wi);
+    const float d = ggx_.d(m) / (4.0f * wo.z);
+    value.f_cos += fresnel(dot(wo, m)) * (d * ggx_.g2(wo, wi));
+    value.pdf += view.specular_probability * d * ggx_.g1(wo);
+    return value;
+  }
+
+  std::optional<BsdfSample<N>> sample(Vec3f wo, float u_lobe, Sample2d u) const {
+    if (wo.z <= 0.0f) return {};
+    const View view = look(wo);
+    const bool specular = u_lobe < view.specular_probability;
+    if (specular && mirror()) {
+      const Vec3f wi{-wo.x, -wo.y, wo.z};
+      return BsdfSample<N>{wi, fresnel(wo.z) / view.specular_probability, 0.0f, true};
+    }
+    const Vec3f wi = specular ? reflect(wo, ggx_.sample_visible(wo, u)) : sample_cosine_hemisphere(u);
+    const BsdfValue<N> value = evaluate(wo, wi);
+    if (!(value.pdf > 0.0f)) return {};
+    return BsdfSample<N>{wi, value.f_cos / value.pdf, value.pdf, false};
+  }
+
+ private:
+  struct Fresnel {
+    SampledSpectrum<N> f0, f90;
+    SampledSpectrum<N> albedo(GgxAlbedo::Factors f) const { return f0 * f.scale + f90 * f.bias; }
+    /// Kulla & Conty 2017, the colour of all further bounces; 1 where F is. @param e cosine-averaged factors
+    SampledSpectrum<N> further_bounces(GgxAlbedo::Factors e) const {
+      const SampledSpectrum<N> average = f0 * (20.0f / 21.0f) + f90 * (1.0f / 21.0f);  // of Schlick's term
+      const SampledSpectrum<N> one(1.0f);
+      return average * average * e.total() / (one - average * (1.0f - e.total()));
+    }
+  };
+
+  /// What depends on wo alone.
+  struct View {
+    float missing;               ///< 1 − E(wo), the share of further bounces
+    SampledSpectrum<N> base;     ///< transmitted into the base
+    float specular_probability;  ///< of choosing the GGX lobe
+  };
+
+  bool mirror() const { return ggx_.alpha < kSmoothAlpha; }
+
+  SampledSpectrum<N> fresnel(float cos_theta) const {
+    const float w = schlick_weight(cos_theta);
+    return (metal_.f0 * (1.0f - w) + metal_.f90 * w) * metallic_ +
+           (dielectric_.f0 * (1.0f - w) + dielectric_.f90 * w) * (1.0f - metallic_);
+  }
+
+  GgxAlbedo::Factors directional(float cos_theta) const {
+    if (!mirror()) return GgxAlbedo::table().directional(cos_theta, roughness_);
+    const float w = schlick_weight(cos_theta);
+    return {1.0f - w, w};
+  }
+  GgxAlbedo::Factors average() const {
+    if (!mirror()) return GgxAlbedo::table().average(roughness_);
+    return {20.0f / 21.0f, 1.0f / 21.0f};
+  }
+
+  /// Share of light that a dielectric layer lets through from direction with these factors.
+  SampledSpectrum<N> transmitted(GgxAlbedo::Factors directional, GgxAlbedo::Factors average) const {
+    return SampledSpectrum<N>(1.0f) - dielectric_.albedo(directional) -
+           dielectric_.further_bounces(average) * (1.0f - directional.total());
+  }
+
+  View look(Vec3f wo) const {
+    const GgxAlbedo::Factors e = directional(wo.z), average_e = average();
+    View view;
+    view.missing = 1.0f - e.total();
+    view.base = transmitted(e, average_e);
+    const float specular = (metal_.albedo(e) * metallic_ + dielectric_.albedo(e) * (1.0f - metallic_)).sum();
+    const float rest = (diffuse_ * view.base + further(average_e) * view.missing).sum();
+    view.specular_probability = rest > 0.0f ? specular / (specular + rest) : 1.0f;
+    return view;
+  }
+
+  SampledSpectrum<N> further(GgxAlbedo::Factors average_e) const {
+    return metal_.further_bounces(average_e) * metallic_ +
+           dielectric_.further_bounces(average_e) * (1.0f - metallic_);
+  }
+
+  /// The diffuse base and the further bounces, both smooth; times cos θi.
+  SampledSpectrum<N> base(const View& view, Vec3f wi) const {
+    const GgxAlbedo::Factors e = directional(wi.z), average_e = average();
+    const SampledSpectrum<N> average_base = transmitted(average_e, average_e);
+    SampledSpectrum<N> f{0.0f};
+    for (int j = 0; j < N; ++j)
+      if (average_base[j] > 0.0f) f.v[j] = diffuse_[j] * view.base[j] / average_base[j];
+    f *= transmitted(e, average_e);
+    const float missing_average = 1.0f - average_e.total();
+    if (missing_average > 0.0f)
+      f += further(average_e) * (view.missing * (1.0f - e.total()) / missing_average);
+    return f * cosine_hemisphere_pdf(wi.z);
+  }
+
+  float roughness_;
+  Ggx ggx_;
+  Fresnel dielectric_, metal_;
+  float metallic_;
+  SampledSpectrum<N> diffuse_;
+};
+
+}  // namespace photopic

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "core/accel.h"
+#include "core/light_sampler.h"
+#include "core/scene.h"
+#include "core/surface.h"
+
+namespace photopic {
+
+/// A scene made ready for rendering: what every sampler and every render of it share.
+struct PreparedScene {
+  explicit PreparedScene(Scene source);
+
+  Scene scene;
+  std::vector<Surface> surfaces;  ///< of Scene::materials, compiled for shading
+  Accel accel;
+  LightSampler lights;
+};
+
+/// The emission that wavelength samplers adapt to: the scene's emission spectra weighted by emitted power.
+TabulatedSpectrum scene_emission(const PreparedScene& scene);
+
+}  // namespace photopic

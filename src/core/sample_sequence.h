@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+
+namespace photopic {
+
+enum class Sequence { sobol, independent };
+
+/// Mixes all bits: Wellons' lowbias32 (nullprogram.com/blog/2018/07/31).
+inline std::uint32_t mix_bits(std::uint32_t x) {
+  x ^= x >> 16;
+  x *= 0x7feb352du;
+  x ^= x >> 15;
+  x *= 0x846ca68bu;
+  return x ^ (x >> 16);
+}
+
+inline std::uint32_t reverse_bits(std::uint32_t x) {
+  x = __builtin_bswap32(x);
+  x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
+  x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
+  return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
+}
+
+/// Owen scrambling of a number whose bits stand reversed (a bit is flipped by a hash of those below it): the
+/// Laine–Karras hash (Laine, Karras 2011) with Vegdahl's constants (psychopath.io, "Building a Better LK
+/// Hash", 2021).
+inline std::uint32_t owen_scramble_reversed(std::uint32_t x, std::uint32_t seed) {
+  x ^= x * 0x3d20adeau;
+  x += seed;
+  x *= (seed >> 16) | 1u;
+  x ^= x * 0x05526c56u;
+  return x ^ (x * 0x53a22864u);
+}
+
+/// The second Sobol' dimension of an index, its bits reversed. The generator matrix is Pascal's triangle mod
+/// 2: a sum over supersets of the index's bits, in five steps. (The first dimension's reversed bits are the
+/// index itself.)
+inline std::uint32_t sobol_second_reversed(std::uint32_t index) {
+  index ^= (index >> 16) & 0x0000ffffu;
+  index ^= (index >> 8) & 0x00ff00ffu;
+  index ^= (index >> 4) & 0x0f0f0f0fu;
+  index ^= (index >> 2) & 0x33333333u;
+  return index ^ ((index >> 1) & 0x55555555u);
+}
+
+struct Sample2d {
+  float x, y;
+};
+
+/// The numbers that drive one path: pairs of an Owen-scrambled Sobol' sequence, padded by shuffling the
+/// sample index anew for each dimension pair (Burley 2020, "Practical Hash-based Owen Scrambling", sections
+/// 4–5), or independent ones. A pure function of (seed, pixel, sample, dimension), so any path may be drawn
+/// in any order.
+class SampleStream {
+ public:
+  SampleStream() = default;
+  SampleStream(Sequence sequence, std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample)
+      : seed_(mix_bits(pixel ^ mix_bits(seed * 0x9e3779b9u + 0x85ebca6bu))), sequence_(sequence) {
+    if (sequence == Sequence::sobol)
+      index_reversed_ = reverse_bits(sample);
+    else
+      seed_ = mix_bits(seed_ + sample * 0x9e3779b9u);
+  }
+
+  /// 32 random bits, stratified over the samples of a pixel.
+  std::uint32_t bits(std::uint32_t dimension) const {
+    const std::uint32_t hash = mix_bits(seed_ + dimension * 0x9e3779b9u);
+    if (sequence_ == Sequence::independent) return hash;
+    return reverse_bits(owen_scramble_reversed(shuffled_index(hash), mix_bits(hash + 1u)));
+  }
+
+  float get_1d(std::uint32_t dimension) const { return to_unit(bits(dimension)); }
+
+  Sample2d get_2d(std::uint32_t dimension) const {
+    const std::uint32_t hash = mix_bits(seed_ + dimension * 0x9e3779b9u);
+    if (sequence_ == Sequence::independent) return {to_unit(hash), to_unit(mix_bits(hash + 1u))};
+    const std::uint32_t index = shuffled_index(hash);
+    const std::uint32_t x = owen_scramble_reversed(index, mix_bits(hash + 1u));
+    const std::uint32_t y = owen_scramble_reversed(sobol_second_reversed(index), mix_bits(hash + 2u));
+    return {to_unit(reverse_bits(x)), to_unit(reverse_bits(y))};
+  }
+
+ private:
+  std::uint32_t shuffled_index(std::uint32_t hash) const {
+    return reverse_bits(owen_scramble_reversed(index_reversed_, hash));
+  }
+  /// [0, 1): 24 bits, so that rounding never yields 1.
+  static float to_unit(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
+
+  std::uint32_t seed_ = 0;
+  std::uint32_t index_reversed_ = 0;  ///< the sample's index, its bits reversed
+  Sequence sequence_ = Sequence::sobol;
+};
+
+}  // namespace photopic

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "spectral/spectrum.h"
+
+namespace photopic {
+
+/// A spectrum at a path's N wavelengths [nm]: the kind of spectrum is asked for once, not N times.
+template <int N>
+SampledSpectrum<N> sample_spectrum(const Spectrum& spectrum, SampledSpectrum<N> lambda) {
+  if (const auto* constant = std::get_if<ConstantSpectrum>(&spectrum))
+    return SampledSpectrum<N>(static_cast<float>(constant->value));
+  SampledSpectrum<N> result;
+  if (const auto* sigmoid = std::get_if<SigmoidPolynomial>(&spectrum)) {
+    for (int j = 0; j < N; ++j) result.v[j] = (*sigmoid)(lambda[j]);
+  } else if (const auto* table = std::get_if<TabulatedSpectrum>(&spectrum)) {
+    for (int j = 0; j < N; ++j) result.v[j] = static_cast<float>((*table)(lambda[j]));
+  } else {
+    for (int j = 0; j < N; ++j) result.v[j] = static_cast<float>(evaluate(spectrum, lambda[j]));
+  }
+  return result;
+}
+
+}  // namespace photopic

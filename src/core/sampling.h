@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/math.h"
+#include "core/sample_sequence.h"
+
+namespace photopic {
+
+/// Each warp takes uniform numbers in [0, 1) and stands beside its density.
+
+struct SinCos {
+  float sin, cos;
+};
+
+/// sin 2πu and cos 2πu for u in [0, 1], to 2e-7: Taylor polynomials about the nearest quarter turn.
+inline SinCos sin_cos_two_pi(float u) {
+  const float quarter = std::floor(4.0f * u + 0.5f);
+  const float x = (u - 0.25f * quarter) * (2.0f * kPi);  // in [−π/4, π/4]
+  const float x2 = x * x;
+  const float s = x * (1.0f + x2 * (-1.0f / 6 + x2 * (1.0f / 120 + x2 * (-1.0f / 5040))));
+  const float c = 1.0f + x2 * (-0.5f + x2 * (1.0f / 24 + x2 * (-1.0f / 720 + x2 * (1.0f / 40320))));
+  const int q = static_cast<int>(quarter) & 3;
+  const float sin = (q & 1) ? c : s, cos = (q & 1) ? s : c;
+  return {(q & 2) ? -sin : sin, (q == 1 || q == 2) ? -cos : cos};
+}
+
+/// Cosine-weighted hemisphere about +z.
+inline Vec3f sample_cosine_hemisphere(Sample2d u) {
+  const float r = std::sqrt(u.x);
+  const SinCos phi = sin_cos_two_pi(u.y);
+  return {r * phi.cos, r * phi.sin, std::sqrt(1.0f - u.x)};
+}
+/// [1/sr]
+inline float cosine_hemisphere_pdf(float cos_theta) {
+  return std::max(0.0f, cos_theta) * kInvPi;
+}
+
+/// Barycentric coordinates (of the second and third vertex) of a uniform point of a triangle; density 1/area.
+inline Sample2d sample_triangle(Sample2d u) {
+  const float root = std::sqrt(u.x);
+  return {1.0f - root, u.y * root};
+}
+
+/// The balance heuristic for one sample of each of two techniques: Veach 1997, equation 9.8.
+inline float balance_heuristic(float pdf, float other_pdf) {
+  return pdf / (pdf + other_pdf);
+}
+
+/// The power heuristic, β = 2: Veach 1997, section 9.2.3. Written so that densities up to the largest float
+/// do not overflow.
+inline float power_heuristic(float pdf, float other_pdf) {
+  const float ratio = other_pdf / pdf;
+  return 1.0f / (1.0f + ratio * ratio);
+}
+
+}  // namespace photopic

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/sample_spectrum.h"
+#include "core/scene.h"
+
+namespace photopic {
+
+/// Which BSDF shades a hit.
+enum class BsdfKind : std::uint8_t { diffuse, opaque, glass };
+inline constexpr int kBsdfKinds = 3;
+
+/// A material compiled for shading.
+struct Surface {
+  explicit Surface(const Material& material);
+
+  /// glTF's mixes are linear in metallic and transmission, so one of the two BSDFs may stand for both, chosen
+  /// with probability transmission·(1 − metallic) for glass.
+  BsdfKind choose_kind(float u) const { return u < glass_probability ? BsdfKind::glass : opaque_kind; }
+
+  BsdfKind opaque_kind;
+  float glass_probability;
+  bool emits;
+  bool double_sided;
+  bool solid;  ///< encloses a medium: transmission refracts
+
+  Spectrum base_color, specular_color;
+  float metallic;  ///< of the opaque part
+  float roughness;
+  float alpha;
+  float specular;
+  float ior;
+  Spectrum attenuation_color;
+  float attenuation_distance;
+  int emission_spectrum;
+  float emission_luminance;
+
+  bool absorbs() const { return attenuation_distance > 0.0f; }
+
+  /// Beer's law: the transmittance over a distance [m].
+  template <int N>
+  SampledSpectrum<N> transmittance(SampledSpectrum<N> lambda, float distance) const {
+    SampledSpectrum<N> t = sample_spectrum<N>(attenuation_color, lambda);
+    for (int j = 0; j < N; ++j) t.v[j] = std::pow(t.v[j], distance / attenuation_distance);
+    return t;
+  }
+};
+
+}  // namespace photopic

@@ -1,0 +1,45 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "commands.h"
+#include "core/image_metrics.h"
+#include "output_file.h"
+#include "run_report.h"
+#include "scene_setup.h"
+#include "text_table.h"
+
+namespace photopic {
+
+int run_diff(const DiffArguments& arguments) {
+  if (!arguments.json.empty()) check_writable_file(arguments.json);
+  const Image reference = read_image(arguments.reference);
+
+  nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+  std::vector<std::vector<std::string>> rows{{"image", "mean ΔE", "median", "p95", "max", "MSE", "relMSE"}};
+  for (const auto& file : arguments.images) {
+    const Image image = read_image(file);
+    check_same_size(reference, image, file.string());
+    const ImageDifference m = compare_images(reference, image, d65_white());
+    if (m.non_finite > 0)
+      print_warning(fmt::format("{}: {} pixels are not finite, here or in the reference, and are left out",
+                                file.string(), m.non_finite));
+    rows.push_back({file.string(), fmt::format("{:.4f}", m.mean_delta_e),
+                    fmt::format("{:.4f}", m.median_delta_e), fmt::format("{:.4f}", m.p95_delta_e),
+                    fmt::format("{:.4f}", m.max_delta_e), fmt::format("{:.4g}", m.mse),
+                    fmt::format("{:.4g}", m.relmse)});
+    runs.push_back({{"image", file.string()}});
+    add_metrics(runs.back(), m);
+  }
+
+  if (!arguments.json.empty()) {
+    const nlohmann::ordered_json json = {{"version", PHOTOPIC_VERSION},
+                                         {"reference", {{"image", arguments.reference.string()}}},
+                                         {"runs", runs}};
+    write_text_file(arguments.json, json.dump(2) + "\n");
+  }
+  fmt::print("{}", format_table(rows));
+  return kExitDone;
+}
+
+}  // namespace photopic

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "core/film.h"
+#include "core/prepared_scene.h"
+#include "core/progress.h"
+#include "core/sample_sequence.h"
+#include "spectral/wavelength_sampler.h"
+
+namespace photopic {
+
+struct RenderOptions {
+  int spp = 64;  ///< samples per pixel
+  Sequence sequence = Sequence::sobol;
+  std::uint32_t seed = 0;
+  int max_depth = 64;     ///< surfaces met by a path at most; light reaching the camera directly has depth 1
+  int batch_size = 4096;  ///< paths advanced together; changes no bit of the result
+  const std::atomic<bool>* stop = nullptr;  ///< set by another thread or a signal: return what is done so far
+  Progress* progress = nullptr;             ///< advanced by samples
+};
+
+struct RenderStats {
+  double seconds = 0;  ///< wall clock
+  std::uint64_t paths = 0;
+  std::uint64_t rays = 0;  ///< nearest-hit rays
+  std::uint64_t shadow_rays = 0;
+  std::uint64_t non_finite = 0;  ///< samples that were not finite; left out of the film and counted here
+  bool stopped = false;
+
+  RenderStats& operator+=(const RenderStats& other) {
+    paths += other.paths;
+    rays += other.rays;
+    shadow_rays += other.shadow_rays;
+    non_finite += other.non_finite;
+    return *this;
+  }
+};
+
+struct RenderResult {
+  Film film;
+  RenderStats stats;
+};
+
+/// Unidirectional path tracing with next-event estimation, multiple importance sampling and Russian roulette,
+/// in batches; Veach 1997, chapters 8–10. The film has the size of the scene's camera.
+/// @throws std::invalid_argument when the sampler's number of wavelengths is not 1, 4, 8 or 16
+RenderResult render(const PreparedScene& scene, const WavelengthSampler& wavelengths,
+                    const RenderOptions& options);
+
+/// The oracle: one path at a time, BSDF sampling only, no roulette before the depth limit.
+RenderResult render_naive(const PreparedScene& scene, const WavelengthSampler& wavelengths,
+                          const RenderOptions& options);
+
+}  // namespace photopic

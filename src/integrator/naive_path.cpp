@@ -1,0 +1,96 @@
+#include "integrator/naive_path.h"
+
+#include "core/glass_bsdf.h"
+#include "core/opaque_bsdf.h"
+#include "integrator/vertex.h"
+
+namespace photopic {
+namespace {
+
+/// A sampled continuation, the same for every BSDF.
+template <int N>
+struct Step {
+  Vec3f origin, direction;
+  SampledSpectrum<N> weight;
+  std::int32_t medium;
+};
+
+template <int N, typename Bsdf>
+std::optional<Step<N>> step(const Vertex<N, Bsdf>& vertex, float u_lobe, Sample2d u, std::int32_t medium) {
+  const auto s = vertex.sample(u_lobe, u);
+  if (!s) return {};
+  return Step<N>{vertex.point.leave(s->wi), s->wi, s->weight, vertex.medium_towards(s->wi, medium)};
+}
+
+}  // namespace
+
+template <int N>
+void NaivePathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
+  for (const PathKey& path : paths) {
+    const Xyz xyz = trace(path);
+    if (std::isfinite(xyz.x + xyz.y + xyz.z))
+      film.add(path.pixel, xyz);
+    else
+      ++stats_.non_finite;
+  }
+  stats_.paths += paths.size();
+}
+
+template <int N>
+Xyz NaivePathTracer<N>::trace(const PathKey& path) {
+  const SampleStream stream(options_.sequence, options_.seed, path.pixel, path.sample);
+  const auto sampled = sample_wavelengths<N>(sampler_, wavelength_u(stream));
+  const PathWavelengths<N> wavelengths(sampled, Observer::cie1931());
+  const SampledSpectrum<N> lambda = wavelengths.lambda;
+
+  Ray ray = camera_ray(scene_.scene.camera, path.pixel, stream);
+  SampledSpectrum<N> throughput(1.0f), radiance(0.0f);
+  std::int32_t medium = -1;
+  for (int depth = 1;; ++depth) {
+    const Hit hit = scene_.accel.intersect(ray);
+    ++stats_.rays;
+    if (hit.shape == kNoHit) break;
+    if (medium >= 0)
+      throughput *= scene_.surfaces[static_cast<std::size_t>(medium)].transmittance(lambda, hit.t);
+
+    // Light from the surface itself.
+    const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[hit.shape].material];
+    const Vec3f normal = surface_point(scene_.scene.geometry, hit).geometric_normal;
+    if (surface.emits && (surface.double_sided || dot(normal, ray.direction) < 0.0f)) {
+      const auto& spectrum =
+          scene_.scene.emission_spectra[static_cast<std::size_t>(surface.emission_spectrum)];
+      radiance += throughput * sample_emission<N>(spectrum, sampled) * surface.emission_luminance;
+    }
+    if (depth == options_.max_depth) break;
+
+    // Where the path goes on.
+    const float u_lobe = stream.get_1d(bounce_dimension(depth, kBsdfLobe));
+    const Sample2d u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
+    const Vec3f wo = -ray.direction;
+    std::optional<Step<N>> next;
+    switch (surface.choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)))) {
+      case BsdfKind::diffuse:
+        next = step(Vertex<N, DiffuseBsdf<N>>(scene_, hit, wo, lambda), u_lobe, u, medium);
+        break;
+      case BsdfKind::opaque:
+        next = step(Vertex<N, OpaqueBsdf<N>>(scene_, hit, wo, lambda), u_lobe, u, medium);
+        break;
+      case BsdfKind::glass:
+        next = step(Vertex<N, GlassBsdf<N>>(scene_, hit, wo, lambda), u_lobe, u, medium);
+        break;
+    }
+    if (!next) break;
+    throughput *= next->weight;
+    if (!(throughput.max() > 0.0f)) break;
+    ray = {next->origin, next->direction};
+    medium = next->medium;
+  }
+  return wavelengths.to_xyz(radiance);
+}
+
+template class NaivePathTracer<1>;
+template class NaivePathTracer<4>;
+template class NaivePathTracer<8>;
+template class NaivePathTracer<16>;
+
+}  // namespace photopic

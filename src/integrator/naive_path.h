@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+
+#include "integrator/integrator.h"
+#include "integrator/path_start.h"
+
+namespace photopic {
+
+/// The oracle: one path at a time, only BSDF sampling finds light, no roulette. Slow, and short enough to be
+/// seen right.
+template <int N>
+class NaivePathTracer {
+ public:
+  NaivePathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths,
+                  const RenderOptions& options)
+      : scene_(scene), sampler_(wavelengths), options_(options) {}
+
+  void trace(std::span<const PathKey> paths, Film& film);
+
+  const RenderStats& stats() const { return stats_; }
+
+ private:
+  Xyz trace(const PathKey& path);
+
+  const PreparedScene& scene_;
+  const WavelengthSampler& sampler_;
+  const RenderOptions& options_;
+  RenderStats stats_;
+};
+
+}  // namespace photopic

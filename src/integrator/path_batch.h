@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/accel.h"
+#include "core/bsdf.h"
+#include "integrator/path_start.h"
+
+namespace photopic {
+
+/// The state of many paths as structure of arrays, an entry a slot. Slots stay; queues of slot numbers shrink
+/// as paths end.
+template <int N>
+struct PathBatch {
+  PathBatch(std::size_t capacity, std::size_t emission_count)
+      : rays(capacity),
+        hits(capacity),
+        pixel(capacity),
+        stream(capacity),
+        wavelengths(capacity),
+        emission(capacity * emission_count),
+        throughput(capacity),
+        radiance(capacity),
+        bsdf_pdf(capacity),
+        eta_scale(capacity),
+        medium(capacity),
+        shadow_rays(capacity),
+        shadow_radiance(capacity),
+        blocked(capacity),
+        emission_count_(emission_count) {
+    active.reserve(capacity);
+    shadowed.reserve(capacity);
+    for (auto& queue : by_kind) queue.reserve(capacity);
+  }
+
+  std::size_t capacity() const { return hits.size(); }
+
+  /// Emission spectrum k at the slot's wavelengths.
+  SampledSpectrum<N>& emission_of(std::uint32_t slot, int k) {
+    return emission[slot * emission_count_ + static_cast<std::size_t>(k)];
+  }
+
+  // The path so far.
+  RayArray rays;
+  std::vector<Hit> hits;
+  std::vector<std::uint32_t> pixel;
+  std::vector<SampleStream> stream;
+  std::vector<PathWavelengths<N>> wavelengths;
+  std::vector<SampledSpectrum<N>> emission;
+  std::vector<SampledSpectrum<N>> throughput;  ///< β, per wavelength
+  std::vector<SampledSpectrum<N>> radiance;    ///< gathered so far [cd/m² per unit emission spectrum]
+  std::vector<float> bsdf_pdf;   ///< of the last direction [1/sr]; 0: it was a delta, or the camera's
+  std::vector<float> eta_scale;  ///< η² of the interfaces crossed: what roulette must not mistake for loss
+  std::vector<std::int32_t> medium;  ///< material of the glass the path is in, −1 outside
+
+  // Light samples of this depth.
+  RayArray shadow_rays;
+  std::vector<SampledSpectrum<N>> shadow_radiance;  ///< arrives when the ray is not blocked
+  std::vector<std::uint8_t> blocked;
+
+  // Slots at work.
+  std::vector<std::uint32_t> active;
+  std::vector<std::uint32_t> shadowed;
+  std::array<std::vector<std::uint32_t>, kBsdfKinds> by_kind;
+
+ private:
+  std::size_t emission_count_;
+};
+
+}  // namespace photopic

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <vector>
+
+#include "core/camera.h"
+#include "core/sample_sequence.h"
+#include "spectral/observer.h"
+#include "spectral/wavelength_sampler.h"
+
+namespace photopic {
+
+/// One sample of one pixel.
+struct PathKey {
+  std::uint32_t pixel;  ///< y·width + x
+  std::uint32_t sample;
+};
+
+/// Which number of the sample stream drives what. Each entry is a dimension of its own: one number or a pair.
+enum Dimension : std::uint32_t { kFilm, kWavelength, kLens, kFirstBounce };
+enum BounceDimension : std::uint32_t {
+  kBsdfChoice,
+  kLightChoice,
+  kLightPoint,
+  kBsdfLobe,
+  kBsdfDirection,
+  kRoulette,
+  kPerBounce
+};
+
+inline std::uint32_t bounce_dimension(int depth, BounceDimension which) {
+  return kFirstBounce + static_cast<std::uint32_t>(depth) * kPerBounce + which;
+}
+
+/// The N wavelengths of a path with all that depends on them alone, computed where λ is still a double: a
+/// line of 0.01 nm needs the digits.
+template <int N>
+struct PathWavelengths {
+  SampledSpectrum<N> lambda;                           ///< [nm]
+  std::array<SampledSpectrum<N>, 3> xyz_per_radiance;  ///< h(λ_j) / (S(λ_j)·∫ȳ dλ) for X, Y and Z
+
+  PathWavelengths() = default;
+  PathWavelengths(const SampledWavelengths<N>& w, const Observer& observer) {
+    for (int j = 0; j < N; ++j) {
+      lambda.v[j] = static_cast<float>(w.lambda[j]);
+      const Xyz h = observer(w.lambda[j]) * (1.0 / (w.density_sum[j] * observer.y_integral()));
+      xyz_per_radiance[0].v[j] = static_cast<float>(h.x);
+      xyz_per_radiance[1].v[j] = static_cast<float>(h.y);
+      xyz_per_radiance[2].v[j] = static_cast<float>(h.z);
+    }
+  }
+
+  /// The balance-heuristic estimate of XYZ: Σ_j h(λ_j)·L(λ_j) / S(λ_j).
+  Xyz to_xyz(SampledSpectrum<N> radiance) const {
+    return {(xyz_per_radiance[0] * radiance).sum(), (xyz_per_radiance[1] * radiance).sum(),
+            (xyz_per_radiance[2] * radiance).sum()};
+  }
+};
+
+template <int N>
+SampledSpectrum<N> sample_emission(const TabulatedSpectrum& emission, const SampledWavelengths<N>& w) {
+  SampledSpectrum<N> result;
+  for (int j = 0; j < N; ++j) result.v[j] = static_cast<float>(emission(w.lambda[j]));
+  return result;
+}
+
+/// The camera ray of a sample: box filter over the pixel.
+inline Ray camera_ray(const Camera& camera, std::uint32_t pixel, const SampleStream& stream) {
+  const auto width = static_cast<std::uint32_t>(camera.width);
+  const Sample2d u = stream.get_2d(kFilm);
+  return camera.ray(static_cast<float>(pixel % width) + u.x, static_cast<float>(pixel / width) + u.y);
+}
+
+/// The u in [0, 1) that all wavelengths of a path come from.
+inline double wavelength_u(const SampleStream& stream) {
+  return (stream.bits(kWavelength) + 0.5) * 0x1p-32;
+}
+
+}  // namespace photopic

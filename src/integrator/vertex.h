@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/bsdf.h"
+#include "core/prepared_scene.h"
+#include "core/surface_point.h"
+
+namespace photopic {
+
+/// A vertex of a path: a hit with its frame and its BSDF at the path's wavelengths. Directions are in world
+/// space.
+template <int N, typename Bsdf>
+struct Vertex {
+  Vertex(const PreparedScene& scene, const Hit& hit, Vec3f wo_world, SampledSpectrum<N> lambda)
+      : material(scene.scene.geometry.shapes[hit.shape].material),
+        surface(scene.surfaces[material]),
+        point(surface_point(scene.scene.geometry, hit)),
+        frame(shading_frame(point, wo_world, Bsdf::kTwoSided)),
+        wo(frame.to_local(wo_world)),
+        bsdf(surface, lambda) {}
+
+  BsdfValue<N> evaluate(Vec3f wi) const { return bsdf.evaluate(wo, frame.to_local(wi)); }
+
+  std::optional<BsdfSample<N>> sample(float u_lobe, Sample2d u) const {
+    auto s = bsdf.sample(wo, u_lobe, u);
+    if (s) s->wi = frame.to_world(s->wi);
+    return s;
+  }
+
+  /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.
+  std::int32_t medium_towards(Vec3f w, std::int32_t current) const {
+    if (!surface.solid || surface.glass_probability == 0.0f) return current;
+    return surface.absorbs() && dot(w, point.geometric_normal) < 0.0f ? static_cast<std::int32_t>(material)
+                                                                      : -1;
+  }
+
+  std::uint32_t material;
+  const Surface& surface;
+  SurfacePoint point;
+  Frame frame;
+  Vec3f wo;  ///< local
+  Bsdf bsdf;
+};
+
+}  // namespace photopic

@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <new>
+#include <string>
+#include <thread>
+
+#include "command_line.h"
+#include "commands.h"
+#include "error.h"
+
+namespace photopic {
+namespace {
+
+/// An error message is one line, whatever its author wrote.
+void print_error(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  fmt::print(stderr, "photopic: {}\n", text);
+}
+
+/// @return the exit code for what is wrong with the command line; help and version are nothing wrong
+int explain(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty() && app.remaining_size() > 0) {
+    print_error(fmt::format("{}: there is no such command; see photopic --help", app.remaining().front()));
+  } else {
+    const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
+    print_error(fmt::format("{}; see photopic{} --help", error.what(), name));
+  }
+  return kExitBadInput;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("A spectral path tracer that chooses its wavelengths to suit the lamps.", "photopic");
+  app.set_version_flag("--version", "photopic " PHOTOPIC_VERSION);
+  app.require_subcommand(1);
+  std::function<int()> action;
+  int threads = 0;
+  bind_commands(app, action, threads);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return explain(app, error);
+  }
+  const std::size_t all = std::max(1u, std::thread::hardware_concurrency());
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  threads > 0 ? static_cast<std::size_t>(threads) : all);
+  return action();
+}
+
+}  // namespace
+}  // namespace photopic
+
+int main(int argc, char** argv) {
+  using namespace photopic;
+  try {
+    return run(argc, argv);
+  } catch (const InputError& error) {
+    print_error(error.what());
+    return kExitBadInput;
+  } catch (const std::bad_alloc&) {
+    print_error("out of memory; choose a smaller resolution or scene");
+    return kExitBadInput;
+  } catch (const std::exception& error) {
+    print_error(fmt::format("internal error: {}; please report it", error.what()));
+  } catch (...) {
+    print_error("internal error of unknown kind; please report it");
+  }
+  return kExitInternalError;
+}

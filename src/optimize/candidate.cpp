@@ -1,0 +1,56 @@
+#include "optimize/candidate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace photopic {
+namespace {
+
+double uniform(Random& random) {
+  return static_cast<double>(random() >> 11) * 0x1p-53;
+}
+
+/// log of a density that is flat between two boundaries and falls off outside.
+double soft_box(double t, double left, double right) {
+  constexpr double kFall = 30.0, kLowest = -6.0;
+  return std::max(kLowest, -kFall * std::max({0.0, left - t, t - right}));
+}
+
+}  // namespace
+
+Candidate soft_strata(const std::vector<double>& boundaries, std::vector<bool> backwards, int nodes) {
+  Candidate candidate{std::move(backwards), {}};
+  for (int k = 0; k < candidate.wavelengths(); ++k)
+    for (int b = 0; b < nodes; ++b)
+      candidate.v.push_back(soft_box(static_cast<double>(b) / (nodes - 1), boundaries[k], boundaries[k + 1]));
+  return candidate;
+}
+
+Candidate random_candidate(int wavelengths, int nodes, Random& random) {
+  // Widths of strata as a Dirichlet distribution spreads them, half way to equal ones.
+  std::vector<double> boundaries{0.0};
+  for (int k = 0; k < wavelengths; ++k)
+    boundaries.push_back(boundaries.back() + 0.5 - std::log(1.0 - uniform(random)));
+  for (double& t : boundaries) t /= boundaries.back();
+  boundaries.back() = 1.0;
+  std::vector<bool> backwards;
+  for (int k = 0; k < wavelengths; ++k) backwards.push_back(uniform(random) < 0.5);
+  return soft_strata(boundaries, std::move(backwards), nodes);
+}
+
+Candidate resampled(const Candidate& candidate, int nodes) {
+  const int from = candidate.nodes();
+  Candidate result{candidate.backwards, {}, candidate.value};
+  for (int k = 0; k < candidate.wavelengths(); ++k) {
+    const double* v = &candidate.v[k * from];
+    for (int b = 0; b < nodes; ++b) {
+      const double x = static_cast<double>(b) * (from - 1) / (nodes - 1);
+      const int i = std::min(static_cast<int>(x), from - 2);
+      result.v.push_back(std::log((1.0 - (x - i)) * std::exp(v[i]) + (x - i) * std::exp(v[i + 1])));
+    }
+  }
+  return result;
+}
+
+}  // namespace photopic

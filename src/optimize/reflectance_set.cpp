@@ -1,0 +1,24 @@
+#include "optimize/reflectance_set.h"
+
+#include <array>
+#include <cmath>
+#include <random>
+
+namespace photopic {
+
+std::vector<Spectrum> target_reflectances(int count, std::uint64_t seed) {
+  constexpr double kRoot = 1.2207440846057594753617;  // the real root of x⁴ = x + 1, which makes R_3 even
+  std::array<double, 3> point, step{1.0 / kRoot, 1.0 / (kRoot * kRoot), 1.0 / (kRoot * kRoot * kRoot)};
+  std::mt19937_64 random(seed);
+  for (double& p : point) p = static_cast<double>(random() >> 11) * 0x1p-53;
+
+  std::vector<Spectrum> reflectances{ConstantSpectrum{1.0}};
+  for (int i = 1; i < count; ++i) {
+    for (int d = 0; d < 3; ++d) point[d] = std::fmod(point[d] + step[d], 1.0);
+    reflectances.emplace_back(
+        upsample_reflectance({srgb_decode(point[0]), srgb_decode(point[1]), srgb_decode(point[2])}));
+  }
+  return reflectances;
+}
+
+}  // namespace photopic

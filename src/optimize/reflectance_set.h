@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "spectral/spectrum.h"
+
+namespace photopic {
+
+/// The reflectances that an optimisation aims at: R = 1 first, then count − 1 sigmoid polynomials (Jakob &
+/// Hanika 2019) whose colours under D65 spread evenly over the sRGB cube, evenly as encoded and so roughly as
+/// seen. The colours are an additive recurrence in three dimensions (Roberts 2018, R_3), rotated by the seed:
+/// any count covers the whole cube. Measured reflectances (test-colour samples, ColorChecker) are left out on
+/// purpose: they judge the result.
+/// @param count ≥ 1
+std::vector<Spectrum> target_reflectances(int count, std::uint64_t seed);
+
+}  // namespace photopic

@@ -1,0 +1,219 @@
+#include "optimize/solver.h"
+
+#include <nlopt.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+#include "optimize/candidate.h"
+#include "optimize/reflectance_set.h"
+#include "optimize/sampler_value.h"
+#include "optimize/search_plan.h"
+
+namespace photopic {
+namespace {
+
+constexpr double kLowest = -9.0, kHighest = 5.0;  ///< bounds of v: a ratio of 1e6 between node values
+constexpr int kTargets = 48;
+
+/// What NLopt calls: remembers the best point, since NLopt may end anywhere and report a failure.
+struct Descent {
+  ObjectiveFunction function;
+  std::vector<double> best;
+  double best_value = std::numeric_limits<double>::infinity();
+  int evaluations = 0;
+
+  double operator()(std::span<const double> v, std::span<double> gradient) {
+    ++evaluations;
+    const double value = function(v, gradient);
+    if (!std::isfinite(value)) return HUGE_VAL;
+    if (value < best_value) best_value = value, best.assign(v.begin(), v.end());
+    return value;
+  }
+
+  static double call(unsigned count, const double* v, double* gradient, void* self) {
+    return (*static_cast<Descent*>(self))({v, count}, {gradient, gradient ? count : 0});
+  }
+};
+
+struct Outcome {
+  int evaluations = 0;
+  bool failed = false;
+  std::string note;
+};
+
+/// Descends from a candidate by L-BFGS; it becomes the best point met.
+Outcome descend(Candidate& candidate, const std::shared_ptr<const EstimateLoss>& loss,
+                const SearchLevel& level) {
+  for (double& x : candidate.v) x = std::clamp(x, kLowest, kHighest);
+  Descent descent{{loss, candidate.backwards, level.nodes, level.strata}, candidate.v};
+
+  const auto count = static_cast<unsigned>(candidate.v.size());
+  const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> solver(nlopt_create(NLOPT_LD_LBFGS, count),
+                                                                 nlopt_destroy);
+  if (!solver) throw std::bad_alloc();
+  nlopt_set_min_objective(solver.get(), Descent::call, &descent);
+  nlopt_set_lower_bounds1(solver.get(), kLowest);
+  nlopt_set_upper_bounds1(solver.get(), kHighest);
+  nlopt_set_maxeval(solver.get(), level.evaluations);
+  nlopt_set_ftol_rel(solver.get(), level.tolerance);
+
+  std::vector<double> v = candidate.v;
+  double value = 0.0;
+  const nlopt_result result = nlopt_optimize(solver.get(), v.data(), &value);
+  candidate.v = std::move(descent.best);
+  candidate.value = descent.best_value;
+  const bool failed = result < 0 && result != NLOPT_ROUNDOFF_LIMITED;
+  return {descent.evaluations, failed, nlopt_result_to_string(result)};
+}
+
+/// Tells how far the search is, from any thread.
+class Progress {
+ public:
+  Progress(const std::function<void(double)>& report, const std::vector<SearchLevel>& plan)
+      : report_(report) {
+    for (const SearchLevel& level : plan) total_ += level.candidates * cost(level);
+  }
+  void done(const SearchLevel& level) {
+    if (!report_) return;
+    const std::lock_guard lock(mutex_);
+    report_(std::min(1.0, (done_ += cost(level)) / total_));
+  }
+
+ private:
+  static double cost(const SearchLevel& level) {
+    return static_cast<double>(level.strata) * level.evaluations;
+  }
+  const std::function<void(double)>& report_;
+  std::mutex mutex_;
+  double done_ = 0.0, total_ = 0.0;
+};
+
+int starts_for(const OptimizeOptions& options) {
+  const int starts = options.effort == Effort::quick ? 64 : options.effort == Effort::normal ? 512 : 4096;
+  // A ΔE00 of its own for each stratum makes an evaluation ten times as dear.
+  return options.objective == Objective::mean_delta_e ? starts / 4 : starts;
+}
+
+/// The first candidate: the strata of the illuminant sampler.
+Candidate equal_strata(int wavelengths, int nodes) {
+  std::vector<double> boundaries;
+  for (int k = 0; k <= wavelengths; ++k) boundaries.push_back(static_cast<double>(k) / wavelengths);
+  return soft_strata(boundaries, std::vector<bool>(wavelengths, false), nodes);
+}
+
+/// Every candidate has a generator of its own, so that neither the threads nor the number of starts change
+/// it.
+Candidate start(int index, int nodes, const OptimizeOptions& options) {
+  if (index == 0) return equal_strata(options.wavelengths, nodes);
+  std::seed_seq seeds{static_cast<std::uint32_t>(options.seed),
+                      static_cast<std::uint32_t>(options.seed >> 32), static_cast<std::uint32_t>(index)};
+  Random random(seeds);
+  return random_candidate(options.wavelengths, nodes, random);
+}
+
+WavelengthDistribution to_distribution(const PiecewiseLinearDensity& base, const Candidate& candidate) {
+  WavelengthDistribution distribution{.base = base, .components = {}};
+  const int nodes = candidate.nodes();
+  for (int k = 0; k < candidate.wavelengths(); ++k) {
+    WavelengthDistribution::Component component{{}, candidate.backwards[k]};
+    for (int b = 0; b < nodes; ++b) component.nodes.push_back(std::exp(candidate.v[k * nodes + b]));
+    distribution.components.push_back(std::move(component));
+  }
+  return distribution;
+}
+
+/// The best candidate, and what its last descent said.
+struct Found {
+  Candidate candidate;
+  Outcome outcome;
+  int evaluations = 0;
+};
+
+Found search(const std::shared_ptr<const EstimateLoss>& loss, const std::vector<SearchLevel>& plan,
+             const OptimizeOptions& options, Progress& progress) {
+  std::vector<Found> pool(plan[0].candidates);
+  for (int i = 0; i < plan[0].candidates; ++i) pool[i].candidate = start(i, plan[0].nodes, options);
+  int evaluations = 0;
+  for (const SearchLevel& level : plan) {
+    if (level.candidates < static_cast<int>(pool.size())) pool.resize(level.candidates);
+    tbb::parallel_for(std::size_t{0}, pool.size(), [&](std::size_t i) {
+      pool[i].candidate = resampled(pool[i].candidate, level.nodes);
+      pool[i].outcome = descend(pool[i].candidate, loss, level);
+      progress.done(level);
+    });
+    for (const Found& found : pool) evaluations += found.outcome.evaluations;
+    std::stable_sort(pool.begin(), pool.end(),
+                     [](const Found& a, const Found& b) { return a.candidate.value < b.candidate.value; });
+  }
+  pool[0].evaluations = evaluations;
+  return pool[0];
+}
+
+void judge(WavelengthDistribution& distribution, const Targets& targets) {
+  const int count = static_cast<int>(distribution.components.size());
+  const WavelengthSampler samplers[] = {OptimizedWavelengths(distribution),
+                                        IlluminantWavelengths{count, distribution.base},
+                                        VisibleWavelengths{count}, UniformWavelengths{count}};
+  double* const values[] = {&distribution.value, &distribution.illuminant_value, &distribution.visible_value,
+                            &distribution.uniform_value};
+  tbb::parallel_for(0, 4, [&](int i) { *values[i] = sampler_value(samplers[i], targets); });
+  distribution.objective = targets.objective == Objective::asymptotic ? "asymptotic" : "mean-delta-e";
+  distribution.spectrum_digest = digest(targets.mixed);
+}
+
+Targets make_targets(std::span<const TabulatedSpectrum> emissions, const OptimizeOptions& options) {
+  std::vector<Spectrum> reflectances = target_reflectances(kTargets, options.seed);
+  reflectances.insert(reflectances.end(), options.extra_reflectances.begin(),
+                      options.extra_reflectances.end());
+  const std::vector<double> weights(emissions.size(), 1.0);
+  return {options.objective,
+          options.white,
+          emissions.size() == 1 ? emissions[0] : mix_emissions(emissions, weights),
+          {emissions.begin(), emissions.end()},
+          std::move(reflectances)};
+}
+
+}  // namespace
+
+OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emissions,
+                                     const OptimizeOptions& options,
+                                     const std::function<void(double)>& report) {
+  if (emissions.empty()) throw std::invalid_argument("there is no emission to optimise for");
+  if (options.wavelengths < 1 || options.wavelengths > 16)
+    throw std::invalid_argument("the number of wavelengths lies between 1 and 16");
+  const auto begin = std::chrono::steady_clock::now();
+
+  const Targets targets = make_targets(emissions, options);
+  const PiecewiseLinearDensity base = base_density(targets.mixed);
+  const auto loss = std::make_shared<const EstimateLoss>(targets, base);
+  const std::vector<SearchLevel> plan = search_plan(options.wavelengths, starts_for(options));
+  Progress progress(report, plan);
+  Found found = search(loss, plan, options, progress);
+
+  OptimizeResult result{
+      .distribution = to_distribution(base, found.candidate),
+      .initial = to_distribution(base, equal_strata(options.wavelengths, plan.back().nodes)),
+      .evaluations = found.evaluations,
+      .solver_failed = found.outcome.failed,
+      .solver_note = found.outcome.note};
+  judge(result.distribution, targets);
+  judge(result.initial, targets);
+  if (result.initial.value < result.distribution.value) result.distribution = result.initial;
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+OptimizeResult optimize_distribution(const TabulatedSpectrum& emission, const OptimizeOptions& options,
+                                     const std::function<void(double)>& report) {
+  return optimize_distribution(std::span(&emission, 1), options, report);
+}
+
+}  // namespace photopic

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "optimize/objective.h"
+#include "spectral/wavelength_distribution.h"
+
+namespace photopic {
+
+/// How many starts the search makes. At 4 wavelengths about 0.1, 0.5 and 4 seconds of one processor core.
+enum class Effort { quick, normal, thorough };
+
+struct OptimizeOptions {
+  int wavelengths = 4;  ///< 1 … 16
+  Objective objective = Objective::asymptotic;
+  White white = White::d65;
+  std::uint64_t seed = 1;
+  Effort effort = Effort::normal;
+  std::vector<Spectrum> extra_reflectances = {};  ///< targets beside R = 1 and the sigmoid polynomials
+};
+
+struct OptimizeResult {
+  WavelengthDistribution distribution;  ///< `spectrum` is left to the caller
+  WavelengthDistribution initial;  ///< N soft strata of equal probability: where a plain search would start
+  int evaluations = 0;             ///< of the objective, with its gradient
+  double seconds = 0;              ///< of wall clock
+  bool solver_failed = false;      ///< NLopt gave up on a final descent; the best point it saw was kept
+  std::string solver_note;         ///< what NLopt said of it
+};
+
+/// Searches the N densities for one lamp. Deterministic: the same emission, options and build give the same
+/// result, whatever the number of threads; the budget is counted in evaluations. Never worse by its own
+/// objective than the strata of `initial`.
+/// @param progress is told the part done, 0 … 1, from any thread, one at a time
+/// @throws std::invalid_argument when the emission has no luminance or the options are out of range
+OptimizeResult optimize_distribution(const TabulatedSpectrum& emission, const OptimizeOptions& options,
+                                     const std::function<void(double fraction)>& progress = {});
+
+/// The same for several lamps, each scaled to its share of the scene's power: the base density is that of
+/// their sum, and every reflectance is a target under every lamp (Objective::mean_delta_e sees R = 1 under
+/// the sum).
+OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emissions,
+                                     const OptimizeOptions& options,
+                                     const std::function<void(double fraction)>& progress = {});
+
+}  // namespace photopic

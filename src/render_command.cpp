@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+
+#include "commands.h"
+#include "error.h"
+#include "interrupt.h"
+#include "output_file.h"
+#include "run_report.h"
+#include "sampler_choice.h"
+#include "scene_setup.h"
+#include "stopwatch.h"
+
+namespace photopic {
+namespace {
+
+/// Wall-clock seconds of everything but the render itself.
+struct PhaseTimes {
+  double load = 0, prepare = 0, write = 0;
+};
+
+void check_outputs(const RenderArguments& arguments) {
+  for (const auto& output : arguments.outputs) check_writable_image(output);
+  if (!arguments.json.empty()) check_writable_file(arguments.json);
+}
+
+void write_json(const RenderArguments& arguments, const Scene& scene, const Run& run,
+                const PhaseTimes& times) {
+  nlohmann::ordered_json json = run_json(run);
+  json["version"] = PHOTOPIC_VERSION;
+  json["interrupted"] = run.stats.stopped;
+  json["resolution"] = {scene.camera.width, scene.camera.height};
+  json["scene"] = {{"file", arguments.scene.scene.string()},
+                   {"triangles", scene.geometry.triangles.size()},
+                   {"shapes", scene.geometry.shapes.size()},
+                   {"materials", scene.materials.size()},
+                   {"spectra", scene.emission_names}};
+  json["rays"] = run.stats.rays;
+  json["shadow_rays"] = run.stats.shadow_rays;
+  json["phase_seconds"] = {{"load", times.load},
+                           {"prepare", times.prepare},
+                           {"optimize", run.optimize_seconds},
+                           {"render", run.render_seconds},
+                           {"write", times.write}};
+  write_text_file(arguments.json, json.dump(2) + "\n");
+}
+
+void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
+  const double paths = static_cast<double>(run.stats.paths);
+  fmt::print("scene:    {} triangles, {} shapes, {} materials; lamps: {}\n", scene.geometry.triangles.size(),
+             scene.geometry.shapes.size(), scene.materials.size(), fmt::join(scene.emission_names, ", "));
+  fmt::print("samples:  {}, of {} wavelengths each; {} not finite\n", run.stats.paths, run.wavelengths,
+             run.stats.non_finite);
+  fmt::print("rays:     {:.2f} + {:.2f} shadow rays a sample\n", static_cast<double>(run.stats.rays) / paths,
+             static_cast<double>(run.stats.shadow_rays) / paths);
+  fmt::print("speed:    {:.3f} M samples/s, {:.3f} M rays/s\n", run.samples_per_second() * 1e-6,
+             run.rays_per_second() * 1e-6);
+  fmt::print("seconds:  load {:.3f}, prepare {:.3f}, optimise {:.3f}, render {:.3f}, write {:.3f}\n",
+             times.load, times.prepare, run.optimize_seconds, run.render_seconds, times.write);
+  fmt::print("means:    {}\n", format_means(run));
+}
+
+}  // namespace
+
+int run_render(const RenderArguments& arguments) {
+  interrupt_flag();  // from here on Ctrl-C keeps what is done
+  const SceneArguments& options = arguments.scene;
+  check_outputs(arguments);
+  if (!options.distribution.empty() && arguments.sampler != "optimized")
+    throw InputError("--distribution", "is for the optimised sampler alone",
+                     "leave it out or use --sampler optimized");
+  const int wavelengths = choose_wavelength_count(options.wavelengths, options.distribution);
+
+  PhaseTimes times;
+  const Stopwatch load_watch;
+  Scene loaded = load_scene(options);
+  times.load = load_watch.seconds();
+  const Stopwatch prepare_watch;
+  const PreparedScene scene(std::move(loaded));
+  times.prepare = prepare_watch.seconds();
+
+  const ChosenSampler chosen = choose_sampler(arguments.sampler, scene_emission(scene),
+                                              distribution_request(options, scene.scene, wavelengths, "D65"));
+  const RenderResult result =
+      render_with_progress("rendering", scene, chosen.sampler, options, options.spp, options.seed);
+
+  Run run = make_run(arguments.sampler, options.spp, wavelengths, options.seed, result);
+  run.optimize_seconds = chosen.optimize_seconds;
+  run.image = arguments.outputs.front().string();
+  const Stopwatch write_watch;
+  const Image image = result.film.to_linear_srgb();
+  for (const auto& output : arguments.outputs) write_render(output, image, options, scene.scene, run);
+  times.write = write_watch.seconds();
+
+  if (!arguments.json.empty()) write_json(arguments, scene.scene, run, times);
+  if (options.stats) print_stats(scene.scene, run, times);
+  if (!result.stats.stopped) return kExitDone;
+  print_warning("interrupted: the image holds the samples done so far");
+  return kExitInterrupted;
+}
+
+}  // namespace photopic

@@ -1,0 +1,100 @@
+#include "run_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "error.h"
+
+namespace photopic {
+
+Run make_run(const std::string& sampler, int spp, int wavelengths, std::uint32_t seed,
+             const RenderResult& result) {
+  Run run;
+  run.sampler = sampler;
+  run.spp = spp;
+  run.wavelengths = wavelengths;
+  run.seed = seed;
+  run.render_seconds = result.stats.seconds;
+  run.stats = result.stats;
+  run.mean = result.film.image_mean();
+  run.variance_of_mean = result.film.image_variance_of_mean();
+  return run;
+}
+
+nlohmann::ordered_json run_json(const Run& run) {
+  nlohmann::ordered_json json = {
+      {"sampler", run.sampler},
+      {"image", run.image.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(run.image)},
+      {"spp", run.spp},
+      {"wavelengths", run.wavelengths},
+      {"seed", run.seed},
+      {"render_seconds", run.render_seconds},
+      {"samples_per_second", run.samples_per_second()},
+      {"rays_per_second", run.rays_per_second()},
+  };
+  add_metrics(json, run.metrics);
+  json["non_finite_samples"] = run.stats.non_finite;
+  json["optimize_seconds"] = run.optimize_seconds;
+  json["mean_xyz"] = {run.mean.x, run.mean.y, run.mean.z};
+  json["mean_xyz_standard_error"] = {std::sqrt(run.variance_of_mean.x), std::sqrt(run.variance_of_mean.y),
+                                     std::sqrt(run.variance_of_mean.z)};
+  return json;
+}
+
+void add_metrics(nlohmann::ordered_json& json, const std::optional<ImageDifference>& metrics) {
+  const auto field = [&](const char* name, double ImageDifference::*value) {
+    json[name] = metrics ? nlohmann::ordered_json((*metrics).*value) : nlohmann::ordered_json();
+  };
+  field("mean_delta_e", &ImageDifference::mean_delta_e);
+  field("median_delta_e", &ImageDifference::median_delta_e);
+  field("p95_delta_e", &ImageDifference::p95_delta_e);
+  field("max_delta_e", &ImageDifference::max_delta_e);
+  field("mse", &ImageDifference::mse);
+  field("relmse", &ImageDifference::relmse);
+  json["non_finite_pixels"] =
+      metrics ? nlohmann::ordered_json(metrics->non_finite) : nlohmann::ordered_json();
+}
+
+std::string format_means(const Run& run) {
+  return fmt::format("X {:.6g} ± {:.2g}, Y {:.6g} ± {:.2g}, Z {:.6g} ± {:.2g}", run.mean.x,
+                     std::sqrt(run.variance_of_mean.x), run.mean.y, std::sqrt(run.variance_of_mean.y),
+                     run.mean.z, std::sqrt(run.variance_of_mean.z));
+}
+
+std::optional<Agreement> channel_agreement(const std::vector<Run>& runs) {
+  if (runs.size() < 2) return std::nullopt;
+  Agreement largest;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (std::size_t j = i + 1; j < runs.size(); ++j) {
+      const Xyz difference = runs[i].mean - runs[j].mean;
+      const Xyz variance = runs[i].variance_of_mean + runs[j].variance_of_mean;
+      const std::array<double, 3> d{difference.x, difference.y, difference.z},
+          v{variance.x, variance.y, variance.z};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double z = d[c] == 0 ? 0 : std::abs(d[c]) / std::sqrt(v[c]);
+        if (z > largest.largest_z || largest.first.empty())
+          largest = {z, runs[i].sampler, runs[j].sampler, "XYZ"[c]};
+      }
+    }
+  }
+  return largest;
+}
+
+void check_same_size(const Image& reference, const Image& image, const std::string& name) {
+  if (image.width == reference.width && image.height == reference.height) return;
+  throw InputError(
+      name,
+      fmt::format("is {}x{} pixels, not {}x{}", image.width, image.height, reference.width, reference.height),
+      "give images of one size");
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t n = values.size();
+  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+}
+
+}  // namespace photopic

@@ -1,0 +1,94 @@
+#include "sampler_choice.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "distribution_cache.h"
+#include "error.h"
+#include "spectral/observer.h"
+
+namespace photopic {
+namespace {
+
+Objective objective_named(std::string_view name) {
+  return name == "mean-delta-e" ? Objective::mean_delta_e : Objective::asymptotic;
+}
+Effort effort_named(std::string_view name) {
+  return name == "quick" ? Effort::quick : name == "thorough" ? Effort::thorough : Effort::normal;
+}
+White white_named(std::string_view name) {
+  return name == "illuminant" ? White::illuminant : White::d65;
+}
+
+/// A distribution made for another lamp would be unbiased but no better than a guess: refuse it.
+void check_lamp(const WavelengthDistribution& distribution, const TabulatedSpectrum& emission,
+                const std::filesystem::path& file) {
+  if (distribution.spectrum_digest == digest(emission)) return;
+  throw InputError(file.string(),
+                   fmt::format("was made for another lamp ({}) than the scene's", distribution.spectrum),
+                   "optimise for this scene's lamps, or leave out --distribution to have that done");
+}
+
+ChosenSampler optimized_sampler(const TabulatedSpectrum& emission, const DistributionRequest& request) {
+  if (request.file.empty()) {
+    const CachedDistribution cached =
+        cached_distribution(emission, request.lamp, request.optimize, request.use_cache, request.quiet);
+    return {OptimizedWavelengths(cached.distribution), cached.optimize_seconds};
+  }
+  const WavelengthDistribution distribution = read_distribution(request.file);
+  check_lamp(distribution, emission, request.file);
+  return {OptimizedWavelengths(distribution), 0.0};
+}
+
+}  // namespace
+
+OptimizeOptions optimize_options(int wavelengths, std::string_view objective, std::string_view effort,
+                                 std::string_view white, std::uint32_t seed) {
+  OptimizeOptions options;
+  options.wavelengths = wavelengths;
+  options.objective = objective_named(objective);
+  options.effort = effort_named(effort);
+  options.white = white_named(white);
+  options.seed = seed;
+  return options;
+}
+
+Xyz white_point(std::string_view name, const TabulatedSpectrum& emission) {
+  if (white_named(name) == White::d65) return d65_white();
+  const Xyz white = emission_xyz(emission, Observer::cie1931());
+  return white * (1.0 / white.y);
+}
+
+DistributionRequest distribution_request(const SceneArguments& arguments, const Scene& scene, int wavelengths,
+                                         std::string_view white) {
+  const OptimizeArguments standard;  // what `photopic optimize` does when not told otherwise
+  return {
+      .lamp = fmt::format("{}", fmt::join(scene.emission_names, ", ")),
+      .file = arguments.distribution,
+      .optimize = optimize_options(wavelengths, standard.objective, standard.effort, white, standard.seed),
+      .use_cache = !arguments.no_cache,
+      .quiet = arguments.quiet};
+}
+
+int choose_wavelength_count(int asked, const std::filesystem::path& distribution) {
+  if (distribution.empty()) return asked > 0 ? asked : 4;
+  const int count = static_cast<int>(read_distribution(distribution).components.size());
+  if (count != 1 && count != 4 && count != 8 && count != 16)
+    throw InputError(distribution.string(), fmt::format("holds {} wavelengths a path", count),
+                     "renders take 1, 4, 8 or 16: optimise for one of these");
+  if (asked > 0 && asked != count)
+    throw InputError(distribution.string(), fmt::format("holds {} wavelengths a path, not {}", count, asked),
+                     fmt::format("leave out --wavelengths {} or optimise for that number", asked));
+  return count;
+}
+
+ChosenSampler choose_sampler(std::string_view name, const TabulatedSpectrum& emission,
+                             const DistributionRequest& request) {
+  const int count = request.optimize.wavelengths;
+  if (name == "uniform") return {UniformWavelengths{count}, 0.0};
+  if (name == "visible") return {VisibleWavelengths{count}, 0.0};
+  if (name == "illuminant") return {IlluminantWavelengths{count, base_density(emission)}, 0.0};
+  return optimized_sampler(emission, request);
+}
+
+}  // namespace photopic

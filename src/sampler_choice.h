@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "commands.h"
+#include "core/scene.h"
+#include "optimize/solver.h"
+#include "spectral/wavelength_sampler.h"
+
+namespace photopic {
+
+/// The names of the command line as the optimiser's options.
+OptimizeOptions optimize_options(int wavelengths, std::string_view objective, std::string_view effort,
+                                 std::string_view white, std::uint32_t seed);
+
+/// The white of ΔE at Y = 1: "D65", or "illuminant": the colour of `emission`.
+Xyz white_point(std::string_view name, const TabulatedSpectrum& emission);
+
+/// How a render's optimised sampler comes by its distribution.
+struct DistributionRequest {
+  std::string lamp;            ///< what the scene's lamps are called
+  std::filesystem::path file;  ///< empty: from the cache, or optimised on the spot and cached
+  OptimizeOptions optimize;    ///< its number of wavelengths is that of all samplers
+  bool use_cache = true;
+  bool quiet = false;
+};
+DistributionRequest distribution_request(const SceneArguments& arguments, const Scene& scene, int wavelengths,
+                                         std::string_view white);
+
+/// The number of wavelengths a render carries: `asked`, or if that is 0 the distribution file's, or 4.
+/// @throws InputError when the file cannot be read or holds another number than asked for
+int choose_wavelength_count(int asked, const std::filesystem::path& distribution);
+
+struct ChosenSampler {
+  WavelengthSampler sampler;
+  double optimize_seconds = 0;  ///< 0 when nothing had to be optimised
+};
+
+/// The sampler called `name` ("uniform", "visible", "illuminant", "optimized") for a scene's emission.
+/// @throws InputError when the distribution file was made for another lamp
+ChosenSampler choose_sampler(std::string_view name, const TabulatedSpectrum& emission,
+                             const DistributionRequest& request);
+
+}  // namespace photopic

@@ -1,0 +1,109 @@
+#include "scene_setup.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <cstdio>
+#include <string_view>
+
+#include "core/gltf_loader.h"
+#include "error.h"
+#include "interrupt.h"
+
+namespace photopic {
+namespace {
+
+constexpr int kMaxSide = 65536;
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;  // the film takes 56 bytes a pixel
+
+EmitterOverride parse_emitter(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  std::error_code error;
+  if (equals == std::string::npos || std::filesystem::is_regular_file(text, error)) return {"", text};
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+/// @return the number that is all of `text`, or 0
+int parse_side(std::string_view text) {
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && rest == end ? value : 0;
+}
+
+void parse_resolution(std::string_view text, GltfOptions& options) {
+  const std::size_t x = text.find('x');
+  if (x != std::string_view::npos) {
+    options.width = parse_side(text.substr(0, x));
+    options.height = parse_side(text.substr(x + 1));
+  }
+  const auto fits = [](int side) { return side >= 1 && side <= kMaxSide; };
+  if (!fits(options.width) || !fits(options.height))
+    throw InputError(fmt::format("--resolution {}", text), "is not a width and a height",
+                     fmt::format("write it as 640x480, each 1 to {}", kMaxSide));
+}
+
+}  // namespace
+
+void print_warning(const std::string& text) {
+  fmt::print(stderr, "warning: {}\n", text);
+}
+
+Scene load_scene(const SceneArguments& arguments) {
+  GltfOptions options;
+  for (const std::string& text : arguments.emitters) options.emitters.push_back(parse_emitter(text));
+  options.camera = arguments.camera;
+  if (!arguments.resolution.empty()) parse_resolution(arguments.resolution, options);
+
+  Scene scene = load_gltf(arguments.scene, options);
+  for (const std::string& warning : scene.warnings) print_warning(warning);
+  if (std::int64_t{scene.camera.width} * scene.camera.height > kMaxPixels)
+    throw InputError(arguments.scene.string(),
+                     fmt::format("an image of {}x{} is too large", scene.camera.width, scene.camera.height),
+                     fmt::format("choose a --resolution of at most {} pixels", kMaxPixels));
+  return scene;
+}
+
+RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint32_t seed,
+                             Progress* progress) {
+  return {.spp = spp,
+          .sequence = arguments.sequence == "independent" ? Sequence::independent : Sequence::sobol,
+          .seed = seed,
+          .max_depth = arguments.max_depth,
+          .batch_size = arguments.batch_size,
+          .stop = &interrupt_flag(),
+          .progress = progress};
+}
+
+RenderResult render_with_progress(const std::string& label, const PreparedScene& scene,
+                                  const WavelengthSampler& sampler, const SceneArguments& arguments, int spp,
+                                  std::uint32_t seed) {
+  const Camera& camera = scene.scene.camera;
+  const auto samples = std::uint64_t(camera.width) * std::uint64_t(camera.height) * std::uint64_t(spp);
+  RenderResult result = [&] {
+    Progress progress(label, samples, "samples", arguments.quiet);
+    return render(scene, sampler, render_options(arguments, spp, seed, &progress));
+  }();
+  if (result.stats.non_finite > 0)
+    print_warning(fmt::format("{}: {} of {} samples were not finite and are left out of the image", label,
+                              result.stats.non_finite, result.stats.paths));
+  return result;
+}
+
+void write_render(const std::filesystem::path& file, const Image& image, const SceneArguments& arguments,
+                  const Scene& scene, const Run& run) {
+  Metadata metadata;
+  if (file.extension() == ".exr")
+    metadata = {{"scene", arguments.scene.string()},
+                {"sampler", run.sampler},
+                {"spp", std::to_string(run.spp)},
+                {"wavelengths", std::to_string(run.wavelengths)},
+                {"seed", std::to_string(run.seed)},
+                {"spectra", fmt::format("{}", fmt::join(scene.emission_names, ", "))},
+                {"version", "photopic " PHOTOPIC_VERSION},
+                {"render_seconds", fmt::format("{:.3f}", run.render_seconds)}};
+  write_image(file, image, metadata, arguments.exposure);
+}
+
+}  // namespace photopic

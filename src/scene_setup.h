@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "commands.h"
+#include "core/scene.h"
+#include "integrator/integrator.h"
+#include "run_report.h"
+
+namespace photopic {
+
+/// One line on stderr, `warning: …`.
+void print_warning(const std::string& text);
+
+/// Loads the scene with the arguments' camera, resolution and emitters, and prints the loader's warnings.
+/// @throws InputError
+Scene load_scene(const SceneArguments& arguments);
+
+/// The options of one render of `spp` samples; it stops at the first SIGINT.
+RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint32_t seed,
+                             Progress* progress);
+
+/// Renders with a progress line and warns of samples that were not finite.
+RenderResult render_with_progress(const std::string& label, const PreparedScene& scene,
+                                  const WavelengthSampler& sampler, const SceneArguments& arguments, int spp,
+                                  std::uint32_t seed);
+
+/// Writes a render; an EXR says in its header how it was made (other files are the same bits for the same
+/// seed).
+/// @throws InputError
+void write_render(const std::filesystem::path& file, const Image& image, const SceneArguments& arguments,
+                  const Scene& scene, const Run& run);
+
+}  // namespace photopic

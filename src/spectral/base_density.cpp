@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "spectral/compensated_sum.h"
+#include "spectral/observer.h"
+#include "spectral/wavelength_distribution.h"
+
+namespace photopic {
+namespace {
+
+/// A positive mix of the colour matching functions: where the eye sees, with weight on what it sees as
+/// colour.
+double visibility(const Observer& observer, double lambda) {
+  const Xyz h = observer(lambda);
+  return 0.6 * h.x + 1.0 * h.y + 0.35 * h.z;
+}
+
+/// The knots at which both the emission and the observer are linear in between, cut to the rendered range.
+std::vector<double> union_of_knots(const TabulatedSpectrum& emission) {
+  std::vector<double> knots;
+  for (int i = 0; i < Observer::kTableSize; ++i) knots.push_back(kLambdaMin + i);
+  for (const double x : emission.lambda())
+    if (x > kLambdaMin && x < kLambdaMax) knots.push_back(x);
+  std::sort(knots.begin(), knots.end());
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+  return knots;
+}
+
+}  // namespace
+
+PiecewiseLinearDensity base_density(const TabulatedSpectrum& emission, double defensive) {
+  if (!(defensive >= 0.0 && defensive <= 1.0))
+    throw std::invalid_argument("the defensive share lies in [0, 1]");
+  const auto values = emission.value();
+  const double brightest = *std::max_element(values.begin(), values.end());
+  if (!(brightest > 0.0)) throw std::invalid_argument("the emission is zero everywhere");
+
+  // I·c at both ends of every piece; a jump gives two knots at one place.
+  const std::vector<double> knots = union_of_knots(emission);
+  const Observer& observer = Observer::cie1931();
+  std::vector<double> x, value;
+  CompensatedSum total;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const double left = knots[i], right = knots[i + 1];
+    const double from = emission.limit_from_right(left) / brightest * visibility(observer, left);
+    const double to = emission.limit_from_left(right) / brightest * visibility(observer, right);
+    if (x.empty() || value.back() != from) x.push_back(left), value.push_back(from);
+    x.push_back(right), value.push_back(to);
+    total += (right - left) * (0.5 * (from + to));
+  }
+  if (!(total.value() > 0.0)) throw std::invalid_argument("the emission is zero from 360 to 830 nm");
+
+  for (double& v : value) v = (1.0 - defensive) * (v / total.value()) + defensive / (kLambdaMax - kLambdaMin);
+  return {std::move(x), std::move(value)};
+}
+
+}  // namespace photopic

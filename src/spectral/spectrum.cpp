@@ -1,0 +1,118 @@
+#include "spectral/spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace photopic {
+namespace {
+
+void check_table(const std::vector<double>& lambda, const std::vector<double>& value) {
+  if (lambda.empty() || lambda.size() != value.size())
+    throw std::invalid_argument("a tabulated spectrum needs as many values as wavelengths, at least one");
+  for (std::size_t i = 0; i < lambda.size(); ++i) {
+    if (!std::isfinite(lambda[i]) || !std::isfinite(value[i]))
+      throw std::invalid_argument("a tabulated spectrum holds a number that is not finite");
+    if (i >= 1 && lambda[i] < lambda[i - 1])
+      throw std::invalid_argument("a tabulated spectrum's wavelengths must not decrease");
+    if (i >= 2 && lambda[i] == lambda[i - 2])
+      throw std::invalid_argument("a tabulated spectrum has more than two values at one wavelength");
+  }
+}
+
+double blackbody(double kelvin, double lambda) {
+  if (!(lambda > 0.0)) return std::isnan(lambda) ? lambda : 0.0;
+  constexpr double kC2 = 6.62607015e-34 * 299792458.0 / 1.380649e-23;  // hc/k [m K]
+  constexpr double kReference = 560.0;
+  const double x = kC2 / (lambda * 1e-9 * kelvin), x0 = kC2 / (kReference * 1e-9 * kelvin);
+  // (e^x0 − 1)/(e^x − 1) with the growing exponentials taken out: neither overflows on its own.
+  return std::pow(kReference / lambda, 5) * std::exp(x0 - x) * (std::expm1(-x0) / std::expm1(-x));
+}
+
+}  // namespace
+
+TabulatedSpectrum::TabulatedSpectrum(std::vector<double> lambda, std::vector<double> value, Beyond beyond)
+    : lambda_(std::move(lambda)), value_(std::move(value)), beyond_(beyond) {
+  check_table(lambda_, value_);
+  const std::size_t cells = std::min<std::size_t>(lambda_.size(), std::size_t{1} << 24);
+  cells_per_nm_ = static_cast<double>(cells) / (lambda_.back() - lambda_.front());
+  if (!std::isfinite(cells_per_nm_)) cells_per_nm_ = 0.0;
+  // One cell more, for the last knot itself.
+  knots_before_.assign(cells + 2, 0);
+  for (double knot : lambda_) ++knots_before_[cell_of(knot) + 1];
+  for (std::size_t i = 1; i < knots_before_.size(); ++i) knots_before_[i] += knots_before_[i - 1];
+}
+
+/// Non-decreasing in λ whatever the rounding, so a knot of an earlier cell is never to the right of λ.
+std::size_t TabulatedSpectrum::cell_of(double lambda) const {
+  return static_cast<std::size_t>((lambda - lambda_.front()) * cells_per_nm_);
+}
+
+double TabulatedSpectrum::operator()(double lambda) const {
+  if (!(lambda >= lambda_.front())) return std::isnan(lambda) ? lambda : outside(value_.front());
+  if (lambda >= lambda_.back()) return lambda > lambda_.back() ? outside(value_.back()) : value_.back();
+  const std::size_t cell = cell_of(lambda);
+  const auto first = lambda_.begin() + knots_before_[cell], last = lambda_.begin() + knots_before_[cell + 1];
+  const std::size_t right = static_cast<std::size_t>(std::upper_bound(first, last, lambda) - lambda_.begin());
+  const std::size_t left = right - 1;
+  const double f = (lambda - lambda_[left]) / (lambda_[right] - lambda_[left]);
+  return value_[left] * (1.0 - f) + value_[right] * f;
+}
+
+double TabulatedSpectrum::limit_from_left(double lambda) const {
+  const auto knot = std::lower_bound(lambda_.begin(), lambda_.end(), lambda);
+  if (knot == lambda_.end() || *knot != lambda) return (*this)(lambda);
+  return knot == lambda_.begin() ? outside(value_.front()) : value_[knot - lambda_.begin()];
+}
+
+double TabulatedSpectrum::limit_from_right(double lambda) const {
+  return lambda == lambda_.back() ? outside(value_.back()) : (*this)(lambda);
+}
+
+TabulatedSpectrum TabulatedSpectrum::scaled(double factor) const {
+  std::vector<double> value = value_;
+  for (double& v : value) v *= factor;
+  return {lambda_, std::move(value), beyond_};
+}
+
+double evaluate(const Spectrum& spectrum, double lambda) {
+  struct Visitor {
+    double lambda;
+    double operator()(const ConstantSpectrum& s) const { return s.value; }
+    double operator()(const TabulatedSpectrum& s) const { return s(lambda); }
+    double operator()(const BlackbodySpectrum& s) const { return blackbody(s.kelvin, lambda); }
+    double operator()(const LineSpectrum& s) const {
+      const double value = 1.0 - std::abs(lambda - s.centre) / s.fwhm;
+      return value < 0.0 ? 0.0 : value;
+    }
+    double operator()(const SigmoidPolynomial& s) const { return s(lambda); }
+  };
+  return std::visit(Visitor{lambda}, spectrum);
+}
+
+std::string digest(const TabulatedSpectrum& spectrum) {
+  double largest = 0.0;
+  for (double v : spectrum.value()) largest = std::max(largest, std::abs(v));
+  if (largest == 0.0) largest = 1.0;
+
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  const auto add = [&hash](double number, double resolution) {
+    // The odd third keeps round decimals away from the rounding's edge, where one ulp would decide.
+    const auto rounded =
+        static_cast<std::int64_t>(std::floor(std::clamp(number, -1e9, 1e9) / resolution + 1.0 / 3.0));
+    for (int byte = 0; byte < 8; ++byte) {
+      hash ^= (static_cast<std::uint64_t>(rounded) >> (8 * byte)) & 0xffu;
+      hash *= 0x100000001b3u;
+    }
+  };
+  for (std::size_t i = 0; i < spectrum.lambda().size(); ++i) {
+    add(spectrum.lambda()[i], 1e-6);
+    add(spectrum.value()[i] / largest, 1e-9);
+  }
+
+  std::string text(16, '0');
+  for (int digit = 0; digit < 16; ++digit) text[digit] = "0123456789abcdef"[(hash >> (60 - 4 * digit)) & 15];
+  return text;
+}
+
+}  // namespace photopic

@@ -1,0 +1,109 @@
+#include "spectral/spectrum_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <optional>
+
+#include "error.h"
+#include "spectral/illuminants.h"
+#include "spectral/spectrum_readers.h"
+
+namespace photopic {
+namespace {
+
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{64} << 20;
+
+std::string quoted(std::string_view text) {
+  return fmt::format("spectrum '{}'", text);
+}
+
+/// What follows the prefix, if the text begins with it.
+std::optional<std::string_view> after(std::string_view text, std::string_view prefix) {
+  if (!text.starts_with(prefix)) return std::nullopt;
+  return text.substr(prefix.size());
+}
+
+Spectrum parse_illuminant(std::string_view text, std::string_view name) {
+  if (auto illuminant = cie_illuminant(name)) return *std::move(illuminant);
+  throw InputError(quoted(text), "no such CIE illuminant",
+                   fmt::format("name one of {}", fmt::join(cie_illuminant_names(), ", ")));
+}
+
+Spectrum parse_blackbody(std::string_view text, std::string_view kelvin) {
+  const auto value = parse_number(kelvin);
+  if (value && *value >= 100.0 && *value <= 1e7) return BlackbodySpectrum{*value};
+  throw InputError(quoted(text), "the temperature must be a number from 100 to 1e7",
+                   "give it in kelvin, as in blackbody:3200");
+}
+
+Spectrum parse_line(std::string_view text, std::string_view numbers) {
+  const std::size_t colon = numbers.find(':');
+  const auto centre = parse_number(numbers.substr(0, colon));
+  if (!centre || !(*centre >= kLambdaMin && *centre <= kLambdaMax))
+    throw InputError(quoted(text), "the line's centre must be a number from 360 to 830",
+                     "give it in nm, as in line:532");
+  LineSpectrum line{*centre};
+  if (colon == std::string_view::npos) return line;
+  const auto fwhm = parse_number(numbers.substr(colon + 1));
+  if (!fwhm || !(*fwhm >= 1e-6 && *fwhm <= 1000.0))
+    throw InputError(quoted(text), "the full width at half maximum must be a number from 1e-6 to 1000",
+                     "give it in nm, as in line:532:0.5");
+  line.fwhm = *fwhm;
+  return line;
+}
+
+/// The whole file, if it is a text of sensible size.
+std::string read_text(const std::filesystem::path& file) {
+  const std::string name = file.string();
+  std::error_code error;
+  if (!std::filesystem::exists(file, error))
+    throw InputError(name, "no such spectrum file",
+                     "give a file, cie:NAME, blackbody:KELVIN, line:NM[:FWHM] or constant");
+  if (!std::filesystem::is_regular_file(file, error))
+    throw InputError(name, "not a file", "give a spectrum file");
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error || size > kLargestFile)
+    throw InputError(name, "larger than 64 MB", "give a file that holds one spectrum");
+
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(size, '\0');
+  if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
+    throw InputError(name, "cannot be read", "check the file's permissions");
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  const auto is_control = [](unsigned char c) { return c < 9 || (c > 13 && c < 32) || c == 127; };
+  const bool binary = std::any_of(text.begin(), text.end(), is_control);
+  if (binary) throw InputError(name, "not a text file", "give the spectrum as UTF-8 text");
+  return text;
+}
+
+std::string lower_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+}  // namespace
+
+Spectrum parse_spectrum(std::string_view text, const std::filesystem::path& folder, Beyond beyond) {
+  if (text.empty())
+    throw InputError(quoted(text), "is empty", "give a file, cie:NAME, blackbody:KELVIN or line:NM");
+  if (text == "constant") return ConstantSpectrum{};
+  if (const auto name = after(text, "cie:")) return parse_illuminant(text, *name);
+  if (const auto kelvin = after(text, "blackbody:")) return parse_blackbody(text, *kelvin);
+  if (const auto numbers = after(text, "line:")) return parse_line(text, *numbers);
+  return read_spectrum_file(folder / std::filesystem::path(text), beyond);
+}
+
+TabulatedSpectrum read_spectrum_file(const std::filesystem::path& file, Beyond beyond) {
+  const std::string text = read_text(file), name = file.string(), extension = lower_extension(file);
+  const auto read = extension == ".sp"     ? read_cgats
+                    : extension == ".json" ? read_spectrum_json
+                    : extension == ".spdx" ? read_spdx
+                                           : read_columns;
+  return table_from_rows(name, read(name, text), beyond);
+}
+
+}  // namespace photopic

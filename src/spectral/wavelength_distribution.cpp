@@ -1,0 +1,181 @@
+#include "spectral/wavelength_distribution.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "error.h"
+#include "spectral/sampled_spectrum.h"
+
+namespace photopic {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kVersion = 1;
+constexpr const char* kFormat = "photopic wavelength distribution";
+
+Json to_json(const WavelengthDistribution& distribution) {
+  Json json;
+  json["format"] = kFormat;
+  json["version"] = kVersion;
+  json["spectrum"] = distribution.spectrum;
+  json["spectrum_digest"] = distribution.spectrum_digest;
+  json["objective"] = distribution.objective;
+  json["value"] = distribution.value;
+  json["baselines"] = {{"uniform", distribution.uniform_value},
+                       {"visible", distribution.visible_value},
+                       {"illuminant", distribution.illuminant_value}};
+  const auto x = distribution.base.x();
+  const auto value = distribution.base.value();
+  json["base"] = {{"nm", std::vector<double>(x.begin(), x.end())},
+                  {"density", std::vector<double>(value.begin(), value.end())}};
+  json["components"] = Json::array();
+  for (const auto& component : distribution.components)
+    json["components"].push_back({{"backwards", component.backwards}, {"nodes", component.nodes}});
+  return json;
+}
+
+/// A value of the file together with the place where it stands, so that every complaint can name it.
+class Place {
+ public:
+  Place(std::string file, const Json& json) : where_(std::move(file) + "#"), json_(&json) {}
+
+  [[noreturn]] void refuse(const std::string& problem) const {
+    throw InputError(where_, problem, "write the file anew with 'photopic optimize'");
+  }
+  void only_keys(std::initializer_list<const char*> known) const {
+    if (!json_->is_object()) refuse("expected an object");
+    for (const auto& [key, value] : json_->items())
+      if (std::find(known.begin(), known.end(), key) == known.end()) refuse("unknown key \"" + key + "\"");
+  }
+  Place at(const char* key) const {
+    if (!json_->contains(key)) refuse("the key \"" + std::string(key) + "\" is missing");
+    return {Child{}, where_ + "/" + key, json_->at(key)};
+  }
+  Place at(std::size_t i) const { return {Child{}, where_ + "/" + std::to_string(i), json_->at(i)}; }
+  std::size_t array_size() const {
+    if (!json_->is_array()) refuse("expected an array");
+    return json_->size();
+  }
+
+  std::string text() const {
+    if (!json_->is_string()) refuse("expected a text");
+    return json_->get<std::string>();
+  }
+  bool truth() const {
+    if (!json_->is_boolean()) refuse("expected true or false");
+    return json_->get<bool>();
+  }
+  double number() const {
+    if (!json_->is_number()) refuse("expected a number");
+    const auto value = json_->get<double>();
+    if (!std::isfinite(value)) refuse("the number is not finite");
+    return value;
+  }
+  std::vector<double> numbers() const {
+    std::vector<double> values(array_size());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = at(i).number();
+    return values;
+  }
+
+ private:
+  struct Child {};
+  Place(Child, std::string where, const Json& json) : where_(std::move(where)), json_(&json) {}
+  std::string where_;
+  const Json* json_;
+};
+
+PiecewiseLinearDensity read_base(const Place& place) {
+  place.only_keys({"nm", "density"});
+  std::vector<double> x = place.at("nm").numbers();
+  if (!x.empty() && (x.front() < kLambdaMin || x.back() > kLambdaMax))
+    place.at("nm").refuse("a knot lies outside 360 to 830 nm");
+  try {
+    return {std::move(x), place.at("density").numbers()};
+  } catch (const std::invalid_argument& problem) {
+    place.refuse(problem.what());
+  }
+}
+
+WavelengthDistribution::Component read_component(const Place& place) {
+  place.only_keys({"backwards", "nodes"});
+  const Place nodes = place.at("nodes");
+  WavelengthDistribution::Component component{nodes.numbers(), place.at("backwards").truth()};
+  if (component.nodes.size() < 2) nodes.refuse("a density needs two nodes or more");
+  for (std::size_t i = 0; i < component.nodes.size(); ++i)
+    if (!(component.nodes[i] > 0.0)) nodes.at(i).refuse("a node must be positive");
+  return component;
+}
+
+std::vector<WavelengthDistribution::Component> read_components(const Place& place) {
+  const std::size_t count = place.array_size();
+  if (count < 1 || count > 16) place.refuse("there must be 1 to 16 densities, not " + std::to_string(count));
+  std::vector<WavelengthDistribution::Component> components;
+  for (std::size_t i = 0; i < count; ++i) {
+    components.push_back(read_component(place.at(i)));
+    if (components[i].nodes.size() != components[0].nodes.size())
+      place.at(i).refuse("all densities must have equally many nodes");
+  }
+  return components;
+}
+
+WavelengthDistribution from_json(const Place& root) {
+  root.only_keys({"format", "version", "spectrum", "spectrum_digest", "objective", "value", "baselines",
+                  "base", "components"});
+  if (root.at("format").text() != kFormat)
+    root.at("format").refuse(std::string("expected \"") + kFormat + "\"");
+  if (root.at("version").number() != kVersion) root.at("version").refuse("this program knows version 1 only");
+  const Place baselines = root.at("baselines");
+  baselines.only_keys({"uniform", "visible", "illuminant"});
+  return {.base = read_base(root.at("base")),
+          .components = read_components(root.at("components")),
+          .spectrum = root.at("spectrum").text(),
+          .spectrum_digest = root.at("spectrum_digest").text(),
+          .objective = root.at("objective").text(),
+          .value = root.at("value").number(),
+          .illuminant_value = baselines.at("illuminant").number(),
+          .visible_value = baselines.at("visible").number(),
+          .uniform_value = baselines.at("uniform").number()};
+}
+
+}  // namespace
+
+void write_distribution(const std::filesystem::path& file, const WavelengthDistribution& distribution) {
+  // A file of this process's own first, then renamed: readers and a second writer never see half of it.
+  std::filesystem::path partial = file;
+  partial += ".partial-" + std::to_string(getpid());
+  std::ofstream out(partial);
+  out << to_json(distribution).dump(1) << '\n';
+  out.close();
+  std::error_code error;
+  if (out) std::filesystem::rename(partial, file, error);
+  if (!out || error) {
+    std::error_code ignored;
+    std::filesystem::remove(partial, ignored);
+    throw InputError(file.string(), "cannot be written",
+                     "check that its folder exists, is writable and has space");
+  }
+}
+
+WavelengthDistribution read_distribution(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in)
+    throw InputError(file.string(), "cannot be read", "check the path, or make one with 'photopic optimize'");
+  Json json;
+  try {
+    json = Json::parse(in);
+  } catch (const Json::exception& problem) {
+    throw InputError(file.string(), problem.what(), "write the file anew with 'photopic optimize'");
+  }
+  return from_json(Place(file.string(), json));
+}
+
+}  // namespace photopic

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "spectral/piecewise_density.h"
+#include "spectral/spectrum.h"
+
+namespace photopic {
+
+/// The base density b(λ) [1/nm] of method: piecewise linear through the values of I·c on the union of I's
+/// knots and the observer's, c = 0.6 x̄ + ȳ + 0.35 z̄, with a uniform share of `defensive` mixed in.
+PiecewiseLinearDensity base_density(const TabulatedSpectrum& emission, double defensive = 0.02);
+
+/// N densities p_k(λ) = q_k(B(λ))·b(λ): q_k piecewise linear on equal cells of t = B(λ) in [0, 1]. All are
+/// driven by one u: λ_k = B⁻¹(Q_k⁻¹(u_k)), u_k = u or, where the density runs backwards, 1 − u.
+struct WavelengthDistribution {
+  /// One density on t: node values > 0 (any scale; normalised on use) at t = i/(n − 1), and its orientation.
+  struct Component {
+    std::vector<double> nodes;
+    bool backwards = false;
+  };
+
+  PiecewiseLinearDensity base;
+  std::vector<Component> components;  ///< N of them
+
+  // Where it comes from: kept in the file, so that a render can refuse a distribution made for another lamp.
+  std::string spectrum = {};         ///< as the user named it
+  std::string spectrum_digest = {};  ///< digest() of the tabulated emission
+  std::string objective = {};        ///< "asymptotic" or "mean-delta-e"
+  double value = 0.0;                ///< the objective's value reached [ΔE]
+  double illuminant_value = 0.0, visible_value = 0.0, uniform_value = 0.0;  ///< the baselines' [ΔE]
+};
+
+/// The distribution's JSON file: versioned, self-contained, written whole or not at all.
+/// @throws InputError when it cannot be written, read, or does not hold what it should
+void write_distribution(const std::filesystem::path& file, const WavelengthDistribution& distribution);
+WavelengthDistribution read_distribution(const std::filesystem::path& file);
+
+}  // namespace photopic

@@ -1,0 +1,203 @@
+#include "spectral/wavelength_sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace photopic {
+namespace {
+
+constexpr double kRange = kLambdaMax - kLambdaMin;
+
+bool in_range(double lambda) {
+  return lambda >= kLambdaMin && lambda <= kLambdaMax;
+}
+
+/// u + j/N, wrapped round into [0, 1).
+double rotated(double u, int j, int count) {
+  const double v = u + static_cast<double>(j) / count;
+  return v < 1.0 ? v : v - 1.0;
+}
+
+/// The density p(λ) = a·sech²(a(λ − c)) / (tanh at 830 − tanh at 360), its CDF a scaled tanh.
+struct VisibleDensity {
+  static constexpr double kA = 0.0072, kCentre = 538.0;  // Radziszewski et al. 2009; pbrt-v4, util/sampling.h
+  double first = std::tanh(kA * (kLambdaMin - kCentre));
+  double span = std::tanh(kA * (kLambdaMax - kCentre)) - first;
+
+  double cdf(double lambda) const { return (std::tanh(kA * (lambda - kCentre)) - first) / span; }
+  double density(double lambda) const { return density_at_tanh(std::tanh(kA * (lambda - kCentre))); }
+  double density_at_tanh(double th) const { return kA * (1.0 - th * th) / span; }
+};
+const VisibleDensity kVisible;
+
+// Each sampler: its draw, its density sum, and the u where one of its wavelengths meets `lambda`.
+
+void draw(const UniformWavelengths& s, double u, std::span<double> lambda, std::span<double> sum) {
+  for (int j = 0; j < s.count; ++j) {
+    lambda[j] = kLambdaMin + kRange * rotated(u, j, s.count);
+    sum[j] = s.count / kRange;
+  }
+}
+
+double sum_at(const UniformWavelengths& s, double lambda) {
+  return in_range(lambda) ? s.count / kRange : 0.0;
+}
+
+void draw(const VisibleWavelengths& s, double u, std::span<double> lambda, std::span<double> sum) {
+  for (int j = 0; j < s.count; ++j) {
+    const double th = kVisible.first + kVisible.span * rotated(u, j, s.count);
+    lambda[j] =
+        std::clamp(VisibleDensity::kCentre + std::atanh(th) / VisibleDensity::kA, kLambdaMin, kLambdaMax);
+    sum[j] = s.count * kVisible.density_at_tanh(th);
+  }
+}
+
+double sum_at(const VisibleWavelengths& s, double lambda) {
+  return in_range(lambda) ? s.count * kVisible.density(lambda) : 0.0;
+}
+
+void draw(const IlluminantWavelengths& s, double u, std::span<double> lambda, std::span<double> sum) {
+  // Stratum j has the density N·b inside it and none outside, so the N of them add up to N·b.
+  for (int j = 0; j < s.count; ++j) {
+    const auto drawn = s.base.draw((u + j) / s.count);
+    lambda[j] = drawn.x;
+    sum[j] = s.count * drawn.density;
+  }
+}
+
+double sum_at(const IlluminantWavelengths& s, double lambda) {
+  return s.count * s.base.density(lambda);
+}
+
+void draw(const OptimizedWavelengths& s, double u, std::span<double> lambda, std::span<double> sum) {
+  s.draw(u, lambda, sum);
+}
+
+double sum_at(const OptimizedWavelengths& s, double lambda) {
+  return s.density_sum(lambda);
+}
+
+/// u with rotated(u, j, N) = v, for every j; v = 0 is the wrap itself.
+void add_rotations(double v, int count, std::vector<double>& u) {
+  for (int j = 0; j < count; ++j)
+    u.push_back(v - static_cast<double>(j) / count + (j > v * count ? 1.0 : 0.0));
+}
+
+std::vector<double> raw_breakpoints(const UniformWavelengths& s, std::span<const double> knots) {
+  std::vector<double> u;
+  add_rotations(0.0, s.count, u);
+  for (const double lambda : knots) add_rotations((lambda - kLambdaMin) / kRange, s.count, u);
+  return u;
+}
+
+std::vector<double> raw_breakpoints(const VisibleWavelengths& s, std::span<const double> knots) {
+  std::vector<double> u;
+  add_rotations(0.0, s.count, u);
+  for (const double lambda : knots) add_rotations(kVisible.cdf(lambda), s.count, u);
+  return u;
+}
+
+std::vector<double> raw_breakpoints(const IlluminantWavelengths& s, std::span<const double> knots) {
+  std::vector<double> u;
+  for (const auto list : {s.base.x(), knots})
+    for (const double lambda : list)
+      for (int j = 0; j < s.count; ++j) u.push_back(s.count * s.base.cdf(lambda) - j);
+  return u;
+}
+
+std::vector<double> raw_breakpoints(const OptimizedWavelengths& s, std::span<const double> knots) {
+  return s.breakpoints(knots);
+}
+
+}  // namespace
+
+OptimizedWavelengths::OptimizedWavelengths(const WavelengthDistribution& distribution)
+    : base_(distribution.base) {
+  if (distribution.components.empty())
+    throw std::invalid_argument("a wavelength distribution has no densities");
+  const std::size_t nodes = distribution.components[0].nodes.size();
+  if (nodes < 2) throw std::invalid_argument("a density has fewer than two nodes");
+  cells_ = static_cast<double>(nodes - 1);
+
+  std::vector<double> t(nodes);
+  for (std::size_t i = 0; i < nodes; ++i) t[i] = static_cast<double>(i) / cells_;
+  std::vector<double> sum(nodes + 1, 0.0);
+  for (const auto& component : distribution.components) {
+    if (component.nodes.size() != nodes)
+      throw std::invalid_argument("the densities differ in their number of nodes");
+    components_.push_back({PiecewiseLinearDensity(t, component.nodes), component.backwards});
+    const auto q = components_.back().density.value();
+    for (std::size_t i = 0; i < nodes; ++i) sum[i] += q[i];
+  }
+  sum[nodes] = sum[nodes - 1];
+  for (std::size_t i = 0; i < nodes; ++i) q_sum_.push_back({sum[i], sum[i + 1] - sum[i]});
+}
+
+double OptimizedWavelengths::q_sum(double t) const {
+  const double position = t * cells_;
+  const auto i = static_cast<std::size_t>(position);
+  return q_sum_[i].value + q_sum_[i].rise * (position - static_cast<double>(i));
+}
+
+void OptimizedWavelengths::draw(double u, std::span<double> lambda, std::span<double> density_sum) const {
+  for (std::size_t k = 0; k < components_.size(); ++k) {
+    const double t = components_[k].density.inverse(components_[k].backwards ? 1.0 - u : u);
+    const auto drawn = base_.draw(t);
+    lambda[k] = drawn.x;
+    density_sum[k] = q_sum(t) * drawn.density;
+  }
+}
+
+double OptimizedWavelengths::density_sum(double lambda) const {
+  return q_sum(base_.cdf(lambda)) * base_.density(lambda);
+}
+
+std::vector<double> OptimizedWavelengths::breakpoints(std::span<const double> knots) const {
+  std::vector<double> t(components_[0].density.x().begin(), components_[0].density.x().end());
+  for (const auto list : {base_.x(), knots})
+    for (const double lambda : list) t.push_back(base_.cdf(lambda));
+  std::vector<double> u;
+  for (const auto& [density, backwards] : components_)
+    for (const double at : t) u.push_back(backwards ? 1.0 - density.cdf(at) : density.cdf(at));
+  return u;
+}
+
+int wavelength_count(const WavelengthSampler& sampler) {
+  const auto count = [](const auto& s) {
+    if constexpr (requires { s.count(); })
+      return s.count();
+    else
+      return s.count;
+  };
+  return std::visit(count, sampler);
+}
+
+std::string_view sampler_name(const WavelengthSampler& sampler) {
+  struct Name {
+    std::string_view operator()(const UniformWavelengths&) const { return "uniform"; }
+    std::string_view operator()(const VisibleWavelengths&) const { return "visible"; }
+    std::string_view operator()(const IlluminantWavelengths&) const { return "illuminant"; }
+    std::string_view operator()(const OptimizedWavelengths&) const { return "optimized"; }
+  };
+  return std::visit(Name{}, sampler);
+}
+
+void draw_wavelengths(const WavelengthSampler& sampler, double u, std::span<double> lambda,
+                      std::span<double> density_sum) {
+  std::visit([&](const auto& s) { draw(s, u, lambda, density_sum); }, sampler);
+}
+
+double density_sum(const WavelengthSampler& sampler, double lambda) {
+  return std::visit([&](const auto& s) { return sum_at(s, lambda); }, sampler);
+}
+
+std::vector<double> breakpoints(const WavelengthSampler& sampler, std::span<const double> knots) {
+  std::vector<double> u = std::visit([&](const auto& s) { return raw_breakpoints(s, knots); }, sampler);
+  std::erase_if(u, [](double v) { return !(v > 0.0 && v < 1.0); });
+  std::sort(u.begin(), u.end());
+  u.erase(std::unique(u.begin(), u.end()), u.end());
+  return u;
+}
+
+}  // namespace photopic

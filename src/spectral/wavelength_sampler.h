@@ -1,0 +1,84 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "spectral/piecewise_density.h"
+#include "spectral/sampled_spectrum.h"
+#include "spectral/wavelength_distribution.h"
+
+namespace photopic {
+
+/// Each sampler draws N wavelengths from N densities with one u, and says S(λ) = Σ_k p_k(λ).
+
+/// Hero wavelength sampling, Wilkie et al. 2014: one uniform hero, the rest equally spaced.
+struct UniformWavelengths {
+  int count = 4;
+};
+
+/// p(λ) ∝ sech²(0.0072 (λ − 538)) on [360, 830] nm, u_j = frac(u + j/N): Radziszewski et al. 2009, constants
+/// as pbrt-v4.
+struct VisibleWavelengths {
+  int count = 4;
+};
+
+/// The base density of the scene's emission; sample j takes the j-th of N strata of equal probability.
+struct IlluminantWavelengths {
+  int count = 4;
+  PiecewiseLinearDensity base;
+};
+
+/// The N optimised densities of a WavelengthDistribution, compiled for drawing.
+class OptimizedWavelengths {
+ public:
+  explicit OptimizedWavelengths(const WavelengthDistribution& distribution);
+  int count() const { return static_cast<int>(components_.size()); }
+  void draw(double u, std::span<double> lambda, std::span<double> density_sum) const;
+  double density_sum(double lambda) const;
+  std::vector<double> breakpoints(
+      std::span<const double> knots) const;  ///< as the free function, neither cut nor sorted
+
+ private:
+  struct Component {
+    PiecewiseLinearDensity density;  ///< q_k on t
+    bool backwards;
+  };
+  struct Node {
+    double value, rise;  ///< Σ_k q_k here, and by how much it rises to the next node
+  };
+  double q_sum(double t) const;
+
+  PiecewiseLinearDensity base_;
+  std::vector<Component> components_;
+  std::vector<Node> q_sum_;  ///< piecewise linear on equal cells of t, as each q_k is
+  double cells_;             ///< their number
+};
+
+using WavelengthSampler =
+    std::variant<UniformWavelengths, VisibleWavelengths, IlluminantWavelengths, OptimizedWavelengths>;
+
+int wavelength_count(const WavelengthSampler& sampler);
+std::string_view sampler_name(const WavelengthSampler& sampler);
+
+/// Draws the N wavelengths of one path. @param u in [0, 1); spans of wavelength_count(sampler) entries
+void draw_wavelengths(const WavelengthSampler& sampler, double u, std::span<double> lambda,
+                      std::span<double> density_sum);
+
+/// S(λ) = Σ_k p_k(λ) [1/nm], zero outside [360, 830] nm.
+double density_sum(const WavelengthSampler& sampler, double lambda);
+
+/// The u in (0, 1), sorted, where some λ_j(u) meets a knot of its density or wraps round: between two of them
+/// the estimator is smooth where the emission and observer are; quadrature splits there (and at `knots`,
+/// wavelengths [nm]).
+std::vector<double> breakpoints(const WavelengthSampler& sampler, std::span<const double> knots);
+
+template <int N>
+SampledWavelengths<N> sample_wavelengths(const WavelengthSampler& sampler, double u) {
+  SampledWavelengths<N> w;
+  draw_wavelengths(sampler, u, w.lambda, w.density_sum);
+  return w;
+}
+
+}  // namespace photopic

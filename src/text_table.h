@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace photopic {
+
+/// Rows of cells set out in columns; the first row holds the headings, the first column stands left, the
+/// others right.
+std::string format_table(const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace photopic

@@ -1,0 +1,98 @@
+// The spectral kernels that every path or pixel runs.
+#include <benchmark/benchmark.h>
+
+#include <array>
+#include <cmath>
+
+#include "spectral/color_difference.h"
+#include "spectral/illuminants.h"
+#include "spectral/rgb_upsampling.h"
+#include "spectral/wavelength_sampler.h"
+
+namespace photopic {
+namespace {
+
+TabulatedSpectrum fluorescent_lamp() {
+  return tabulate_emission(*cie_illuminant("FL11"));
+}
+
+/// Four neighbouring bumps on 48 nodes: as costly to draw from as an optimised distribution.
+WavelengthDistribution bumps(const TabulatedSpectrum& lamp) {
+  WavelengthDistribution distribution{base_density(lamp), {}, {}, {}, {}};
+  for (int k = 0; k < 4; ++k) {
+    WavelengthDistribution::Component component;
+    for (int i = 0; i < 48; ++i) {
+      const double distance = i / 47.0 - (k + 0.5) / 4.0;
+      component.nodes.push_back(std::exp(-50.0 * distance * distance));
+    }
+    component.backwards = k % 2 == 1;
+    distribution.components.push_back(component);
+  }
+  return distribution;
+}
+
+void draw(benchmark::State& state, const WavelengthSampler& sampler) {
+  double u = 0.5;
+  for (auto _ : state) {
+    u = u + 0.618033988749895;  // the golden ratio: every stratum alike
+    u -= std::floor(u);
+    SampledWavelengths<4> w = sample_wavelengths<4>(sampler, u);
+    benchmark::DoNotOptimize(w);
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK_CAPTURE(draw, uniform, UniformWavelengths{4});
+BENCHMARK_CAPTURE(draw, visible, VisibleWavelengths{4});
+BENCHMARK_CAPTURE(draw, illuminant, IlluminantWavelengths{4, base_density(fluorescent_lamp())});
+BENCHMARK_CAPTURE(draw, optimized, OptimizedWavelengths(bumps(fluorescent_lamp())));
+
+void upsample(benchmark::State& state) {
+  Rgb rgb{0.2, 0.5, 0.7};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(rgb);
+    SigmoidPolynomial reflectance = upsample_reflectance(rgb);
+    benchmark::DoNotOptimize(reflectance);
+  }
+}
+BENCHMARK(upsample);
+
+void evaluate_upsampled(benchmark::State& state) {
+  const SigmoidPolynomial reflectance = upsample_reflectance({0.2, 0.5, 0.7});
+  float lambda = 550.0f;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(lambda);
+    float value = reflectance(lambda);
+    benchmark::DoNotOptimize(value);
+  }
+}
+BENCHMARK(evaluate_upsampled);
+
+/// A table of `range` knots.
+void look_up(benchmark::State& state) {
+  std::vector<double> lambda, value;
+  const auto knots = static_cast<double>(state.range(0));
+  for (double i = 0; i < knots; ++i) {
+    lambda.push_back(kLambdaMin + (kLambdaMax - kLambdaMin) * i / (knots - 1));
+    value.push_back(1.0 + std::sin(i));
+  }
+  const TabulatedSpectrum table(lambda, value, Beyond::zero);
+  double at = 0.0;
+  for (auto _ : state) {
+    at += 0.618033988749895;
+    at -= std::floor(at);
+    benchmark::DoNotOptimize(table(kLambdaMin + (kLambdaMax - kLambdaMin) * at));
+  }
+}
+BENCHMARK(look_up)->Arg(2)->Arg(100)->Arg(100'000);
+
+void color_difference(benchmark::State& state) {
+  Lab reference{50, 20, -30}, sample{52, 18, -25};
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(sample);
+    benchmark::DoNotOptimize(delta_e_2000(reference, sample));
+  }
+}
+BENCHMARK(color_difference);
+
+}  // namespace
+}  // namespace photopic

@@ -1,0 +1,143 @@
+"""Help, and what is refused: exit code 1, one line on stderr that says what and where, nothing written."""
+
+import unittest
+
+from harness import CommandTest
+from tiny_scene import write_tiny_scene
+
+COMMANDS = {
+    "render": "--output --spp --sampler --wavelengths --emitter --distribution --resolution --camera --max-depth "
+    "--sequence --exposure --seed --threads --quiet --json --stats --batch-size --no-cache",
+    "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --json --quiet",
+    "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter",
+    "diff": "--json --threads",
+}
+
+
+class Help(CommandTest):
+    def test_each_command_explains_its_options_and_gives_an_example(self):
+        for command, options in COMMANDS.items():
+            text = self.photopic(command, "--help").stdout
+            for option in options.split():
+                self.assertIn(option, text, command)
+            self.assertIn(f"Example: photopic {command} ", text)
+
+    def test_main_help_names_the_commands(self):
+        text = self.photopic("--help").stdout
+        for command in COMMANDS:
+            self.assertIn(command, text)
+
+    def test_version(self):
+        self.assertRegex(self.photopic("--version").stdout, r"^photopic \d+\.\d+\.\d+\n$")
+
+
+class Refused(CommandTest):
+    def render(self, *options):
+        return ["render", self.scene, "-o", "out.exr", "--sampler", "uniform", "--spp", "1", *options]
+
+    def test_bad_usage(self):
+        self.assert_refused([], "--help")
+        self.assert_refused(["paint"], "paint")
+        self.assert_refused(["render"], "SCENE", "photopic render --help")
+        self.assert_refused(["render", self.scene], "--output")
+        self.assert_refused(self.render("--frobnicate"), "frobnicate")
+        self.assert_refused(["diff", "one.exr"], "IMAGE")
+        self.assert_refused(["compare", self.scene, "--reference", "a.exr", "--reference-spp", "4"], "--reference")
+
+    def test_values_out_of_range(self):
+        for option, value in [
+            ("--spp", "0"),
+            ("--spp", "-3"),
+            ("--spp", "16777217"),
+            ("--spp", "99999999999999999999"),
+            ("--spp", "many"),
+            ("--spp", "1e3"),
+            ("--wavelengths", "3"),
+            ("--wavelengths", "32"),
+            ("--sampler", "magic"),
+            ("--sequence", "halton"),
+            ("--max-depth", "0"),
+            ("--batch-size", "0"),
+            ("--threads", "-1"),
+            ("--seed", "-1"),
+            ("--seed", "4294967296"),
+            ("--exposure", "nan"),
+            ("--exposure", "inf"),
+            ("--exposure", "bright"),
+        ]:
+            self.assert_refused(self.render(option, value), option)
+        for size in ["0x5", "12", "x", "12x", "70000x1", "-4x4", "4x4x4", "4.5x4", " 4x4"]:
+            self.assert_refused(self.render("--resolution=" + size), "--resolution")
+        self.assert_refused(self.render("--resolution", "65536x65536"), "too large")
+
+    def test_outputs_are_checked_first(self):
+        (self.folder / "folder.exr").mkdir()
+        for output in ["missing/out.exr", "out.bmpx", "out", "folder.exr"]:
+            self.assert_refused(["render", self.scene, "-o", output], output)
+        self.assert_refused(self.render("--json", "missing/run.json"), "missing/run.json")
+        self.assert_refused(["optimize", "cie:A", "-o", "missing/d.json"], "missing/d.json")
+        self.assert_refused(["optimize", "cie:A", "-o", "d.json", "--color-bar", "missing/bar.png"], "missing/bar.png")
+        self.assert_refused(["compare", self.scene, "--report", "missing/report"], "missing/report")
+        self.assertFalse((self.folder / "out.exr").exists())
+
+    def test_bad_inputs_are_named(self):
+        (self.folder / "broken.gltf").write_text('{"asset": {"version": ')
+        (self.folder / "broken.csv").write_text("400, 1\n500, two\n")
+        (self.folder / "broken.json").write_text("[1, 2")
+        (self.folder / "broken.exr").write_text("no image")
+        self.assert_refused(["render", "missing.gltf", "-o", "out.exr"], "missing.gltf")
+        self.assert_refused(["render", "broken.gltf", "-o", "out.exr"], "broken.gltf")
+        self.assert_refused(self.render("--emitter", "cie:FL99"), "FL99")
+        self.assert_refused(self.render("--emitter", "missing.spd"), "missing.spd")
+        self.assert_refused(self.render("--emitter", "broken.csv"), "broken.csv:2")
+        self.assert_refused(self.render("--emitter", "torch=cie:A"), "torch")
+        self.assert_refused(self.render("--camera", "eye"), "eye")
+        self.assert_refused(["optimize", "broken.csv", "-o", "d.json"], "broken.csv:2")
+        self.assert_refused(["render", self.scene, "-o", "out.exr", "--distribution", "broken.json"], "broken.json")
+        self.assert_refused(["diff", "missing.exr", "broken.exr"], "missing.exr")
+        self.assert_refused(["diff", "broken.exr", "broken.exr"], "broken.exr")
+        self.assert_refused(["compare", self.scene, "--samplers", "uniform,uniform"], "uniform")
+        self.assert_refused(["compare", self.scene, "--samplers", "uniform,odd"], "odd")
+
+    def test_a_lamp_without_light_has_no_distribution(self):
+        (self.folder / "dark.csv").write_text("400, 0\n700, 0\n")
+        (self.folder / "negative.csv").write_text("400, 1\n500, -1\n")
+        self.assert_refused(["optimize", "dark.csv", "-o", "d.json"], "dark.csv")
+        self.assert_refused(["optimize", "negative.csv", "-o", "d.json"], "negative.csv")
+        self.assertFalse((self.folder / "d.json").exists())
+
+    def test_a_scene_without_light_is_refused(self):
+        dark = write_tiny_scene(self.folder / "dark.gltf", emission=None)
+        for sampler in ["uniform", "illuminant", "optimized"]:
+            self.assert_refused(["render", dark, "-o", "out.exr", "--sampler", sampler], "dark.gltf", "light")
+        self.assert_refused(["compare", dark], "dark.gltf", "light")
+
+    def test_distribution_must_fit(self):
+        self.photopic("optimize", "cie:A", "-o", "a.json", "--effort", "quick", "--quiet")
+        self.photopic("optimize", "cie:A", "-o", "a3.json", "--wavelengths", "3", "--effort", "quick", "--quiet")
+        render = ["render", self.scene, "-o", "out.exr", "--spp", "1"]
+        self.assert_refused(render + ["--distribution", "a.json", "--emitter", "cie:FL11"], "a.json", "another lamp")
+        self.assert_refused(render + ["--distribution", "a.json", "--emitter", "cie:A", "--wavelengths", "8"], "a.json", "4")
+        self.assert_refused(render + ["--distribution", "a3.json", "--emitter", "cie:A"], "a3.json", "3")
+        self.assert_refused(self.render("--distribution", "a.json"), "--distribution", "optimized")
+        self.assertFalse((self.folder / "out.exr").exists())
+
+    def test_images_of_other_sizes_are_refused(self):
+        self.photopic(*self.render("--quiet"))
+        self.photopic("render", self.scene, "-o", "small.exr", "--resolution", "8x4", "--sampler", "uniform", "--quiet")
+        self.assert_refused(["diff", "out.exr", "small.exr"], "small.exr", "8x4")
+        self.assert_refused(["compare", self.scene, "--reference", "small.exr", "--samplers", "uniform"], "small.exr")
+
+    def test_failure_leaves_existing_files_alone(self):
+        for name in ["out.exr", "run.json", "d.json"]:
+            (self.folder / name).write_text("precious")
+        self.assert_refused(self.render("--json", "run.json", "--emitter", "cie:FL99"))
+        self.assert_refused(["render", "missing.gltf", "-o", "out.exr", "--json", "run.json"])
+        self.assert_refused(["optimize", "cie:FL99", "-o", "d.json"])
+        for name in ["out.exr", "run.json", "d.json"]:
+            self.assertEqual((self.folder / name).read_text(), "precious")
+        self.assertFalse(list(self.folder.glob(".*")), "temporary files are left")
+
+
+if __name__ == "__main__":
+    unittest.main()

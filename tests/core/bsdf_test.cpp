@@ -1,0 +1,200 @@
+#include <gtest/gtest.h>
+
+#include "core/microfacet.h"
+#include "support/bsdf_checks.h"
+#include "support/scene_builder.h"
+
+namespace photopic {
+namespace {
+
+using namespace test;
+
+constexpr int kSamples = 40000;
+
+/// What holds for every BSDF without delta lobes: samples follow the density that evaluate() tells, failures
+/// make up the rest of it, weights are f cos/pdf, and two ways to the albedo agree.
+void expect_consistent(const Material& material, Vec3f wo, Vec3f axis, std::size_t tests,
+                       const std::string& what) {
+  const BsdfReport r = examine(local_bsdf(material), wo, axis, kSamples, 17);
+  EXPECT_GT(r.chi_square_p, sidak_significance(0.01, tests)) << what;
+  EXPECT_LT(r.pdf_integral, 1.0 + 5e-4) << what;
+  EXPECT_LT(r.worst_weight, 0.01) << what;
+  EXPECT_LT(r.worst_pdf, 0.01) << what;
+  const double z = z_score(r.albedo, {r.albedo_quadrature, 2e-4});
+  EXPECT_LT(std::abs(z), normal_threshold(sidak_significance(0.01, tests)))
+      << what << ": sampled " << r.albedo.mean << ", quadrature " << r.albedo_quadrature;
+}
+
+Vec3f mirrored(Vec3f wo) {
+  return {-wo.x, -wo.y, wo.z};
+}
+
+TEST(DiffuseBsdf, SamplesItsDensity) {
+  expect_consistent(diffuse(ConstantSpectrum{0.6}), direction(0.5), {0, 0, 1}, 1, "diffuse");
+  const LocalBsdf bsdf = local_bsdf(diffuse(ConstantSpectrum{0.6}));
+  EXPECT_NEAR(sampled_albedo(bsdf, direction(0.5), 16).mean, 0.6, 1e-6);
+  EXPECT_NEAR(bsdf.evaluate(direction(0.5), {0, 0, 1}).f_cos, 0.6 / 3.14159265, 1e-6);
+  EXPECT_EQ(bsdf.evaluate(direction(0.5), {0, 0, -1}).f_cos, 0.0);
+}
+
+TEST(OpaqueBsdf, SamplesItsDensity) {
+  Material mixed = plastic(ConstantSpectrum{0.5}, 0.0f);
+  mixed.metallic = 0.4f;
+  mixed.specular = 0.7f;
+  const std::vector<Material> materials{metal(ConstantSpectrum{0.8}, 0), plastic(ConstantSpectrum{0.5}, 0),
+                                        mixed};
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    for (float roughness : {0.05f, 0.2f, 0.5f, 1.0f})
+      for (double cos_theta : {1.0, 0.6, 0.1}) {
+        Material m = materials[i];
+        m.roughness = roughness;
+        const Vec3f wo = direction(cos_theta);
+        expect_consistent(m, wo, mirrored(wo), 36,
+                          "material " + std::to_string(i) + " roughness " + std::to_string(roughness) +
+                              " cos " + std::to_string(cos_theta));
+      }
+}
+
+/// A white surface in a white furnace is not seen: whatever the roughness, nothing is lost.
+TEST(OpaqueBsdf, WhiteFurnace) {
+  double worst = 0.0;
+  for (float metallic : {0.0f, 0.5f, 1.0f})
+    for (float roughness = 0.0f; roughness < 1.01f; roughness += 0.1f)
+      for (double cos_theta : {1.0, 0.8, 0.5, 0.2, 0.1, 0.05, 0.02}) {
+        Material m = plastic(ConstantSpectrum{1.0}, std::min(roughness, 1.0f));
+        m.metallic = metallic;
+        const double albedo = sampled_albedo(local_bsdf(m), direction(cos_theta), 1 << 13).mean;
+        worst = std::max(worst, std::abs(albedo - 1.0));
+        EXPECT_NEAR(albedo, 1.0, 0.01)
+            << "metallic " << metallic << " roughness " << roughness << " cos " << cos_theta;
+      }
+  RecordProperty("worst", std::to_string(worst));
+}
+
+TEST(OpaqueBsdf, NeverGainsEnergy) {
+  for (float ior : {0.0f, 1.0f, 1.5f, 4.0f})
+    for (float specular : {0.0f, 0.5f, 1.0f})
+      for (float roughness : {0.0f, 0.03f, 0.3f, 1.0f})
+        for (double cos_theta : {1.0, 0.3, 0.02}) {
+          Material m = plastic(ConstantSpectrum{1.0}, roughness, ior);
+          m.specular = specular;
+          const double albedo = sampled_albedo(local_bsdf(m), direction(cos_theta), 4096).mean;
+          EXPECT_LT(albedo, 1.01) << "ior " << ior << " specular " << specular << " roughness " << roughness
+                                  << " cos " << cos_theta;
+          EXPECT_GT(albedo, 0.99) << "ior " << ior << " specular " << specular << " roughness " << roughness
+                                  << " cos " << cos_theta;
+        }
+}
+
+TEST(OpaqueBsdf, IsReciprocal) {
+  Material mixed = plastic(ConstantSpectrum{0.5}, 0.0f);
+  mixed.metallic = 0.4f;
+  for (Material m : {metal(ConstantSpectrum{0.8}, 0), plastic(ConstantSpectrum{0.5}, 0), mixed})
+    for (float roughness : {0.1f, 0.4f, 1.0f}) {
+      m.roughness = roughness;
+      const LocalBsdf bsdf = local_bsdf(m);
+      for (std::uint32_t i = 0; i < 200; ++i) {
+        const SampleStream stream(Sequence::independent, 2, 0, i);
+        const Vec3f a = sample_cosine_hemisphere(stream.get_2d(0)),
+                    b = sample_cosine_hemisphere(stream.get_2d(1));
+        const double ab = bsdf.evaluate(a, b).f_cos / b.z, ba = bsdf.evaluate(b, a).f_cos / a.z;
+        EXPECT_NEAR(ab, ba, 1e-3 * (ab + 1e-3));
+      }
+    }
+}
+
+/// At normal incidence a mirror of ior n reflects ((n − 1)/(n + 1))², a metal its base colour.
+TEST(OpaqueBsdf, SmoothReflectanceAtNormalIncidence) {
+  const Vec3f up{0, 0, 1};
+  EXPECT_NEAR(sampled_albedo(local_bsdf(plastic(ConstantSpectrum{0.0}, 0.0f, 2.0f)), up, 64).mean, 1.0 / 9.0,
+              1e-5);
+  EXPECT_NEAR(sampled_albedo(local_bsdf(metal(ConstantSpectrum{0.3}, 0.0f)), up, 64).mean, 0.3, 1e-5);
+}
+
+/// Where a smooth interface would send the light: the rough lobe's axis.
+Vec3f refracted(Vec3f wo, float ior) {
+  const float eta = wo.z > 0 ? ior : 1 / ior;
+  const float sin2 = (1 - wo.z * wo.z) / (eta * eta);
+  if (sin2 >= 1.0f) return mirrored(wo);
+  return {-wo.x / eta, -wo.y / eta, std::copysign(std::sqrt(1 - sin2), -wo.z)};
+}
+
+TEST(GlassBsdf, SamplesItsDensity) {
+  for (bool solid : {true, false})
+    for (float roughness : {0.1f, 0.4f, 1.0f})
+      for (float ior : {1.0f, 1.33f, 1.5f, 2.4f})
+        for (double cos_theta : {0.9, 0.2, -0.9, -0.4}) {
+          if (solid && ior == 1.0f) continue;  // a delta lobe
+          const Vec3f wo = direction(cos_theta);
+          const Vec3f axis = solid ? refracted(wo, ior) : -wo;
+          expect_consistent(solid ? solid_glass(ior, roughness) : thin_glass(ior, roughness), wo, axis, 84,
+                            std::string(solid ? "solid" : "thin") + " roughness " +
+                                std::to_string(roughness) + " ior " + std::to_string(ior) + " cos " +
+                                std::to_string(cos_theta));
+        }
+}
+
+/// Smooth glass loses nothing: radiance scaled by 1/η² where it crosses, taken back, sums to one.
+TEST(GlassBsdf, SmoothKeepsAllEnergy) {
+  for (bool solid : {true, false})
+    for (float ior : {0.0f, 1.0f, 1.000001f, 1.33f, 1.5f, 4.0f})
+      for (double cos_theta : {1.0, 0.5, 0.01, -0.01, -0.5, -1.0}) {
+        const LocalBsdf bsdf = local_bsdf(solid ? solid_glass(ior, 0.0f) : thin_glass(ior, 0.0f));
+        EXPECT_NEAR(sampled_albedo(bsdf, direction(cos_theta), 256, true).mean, 1.0, 1e-5)
+            << solid << ' ' << ior << ' ' << cos_theta;
+      }
+}
+
+TEST(GlassBsdf, SmoothDirections) {
+  const LocalBsdf glass = local_bsdf(solid_glass(1.5f, 0.0f));
+  for (double cos_theta : {0.8, 0.2, -0.9}) {
+    const Vec3f wo = direction(cos_theta);
+    const auto passed = glass.sample(wo, 0.9999f, {0.5f, 0.5f});
+    ASSERT_TRUE(passed && passed->delta);
+    EXPECT_LT(length(passed->wi - refracted(wo, 1.5f)), 1e-6f);
+    EXPECT_NEAR(passed->weight, cos_theta > 0 ? 1 / 2.25 : 2.25, 1e-5);
+    const auto reflected = glass.sample(wo, 0.0f, {0.5f, 0.5f});
+    ASSERT_TRUE(reflected);
+    EXPECT_LT(length(reflected->wi - mirrored(wo)), 1e-6f);
+    EXPECT_EQ(reflected->weight, 1.0);
+  }
+}
+
+/// Rough glass reckons with one bounce off the microsurface: it may lose, never gain. The losses are
+/// recorded.
+TEST(GlassBsdf, RoughLosesLittleAndNeverGains) {
+  for (bool solid : {true, false})
+    for (float roughness : {0.1f, 0.5f, 1.0f}) {
+      double least = 1.0;
+      for (float ior : {1.33f, 1.5f, 2.4f})
+        for (double cos_theta : {1.0, 0.5, 0.1, -0.1, -0.5, -1.0}) {
+          const LocalBsdf bsdf = local_bsdf(solid ? solid_glass(ior, roughness) : thin_glass(ior, roughness));
+          const double albedo = sampled_albedo(bsdf, direction(cos_theta), 1 << 12, true).mean;
+          EXPECT_LT(albedo, 1.0 + 1e-3) << solid << ' ' << roughness << ' ' << ior << ' ' << cos_theta;
+          least = std::min(least, albedo);
+        }
+      RecordProperty((solid ? "solid_" : "thin_") + std::to_string(static_cast<int>(100 * roughness)),
+                     std::to_string(1.0 - least));
+      EXPECT_GT(least, roughness < 0.2f ? 0.98 : roughness < 0.6f ? 0.75 : 0.3);
+    }
+}
+
+/// Rough interfaces obey the reciprocity of radiance: f(a,b)·η_b² = f(b,a)·η_a² (Walter et al. 2007, section
+/// 2).
+TEST(GlassBsdf, RoughRefractionIsReciprocalUpToIndex) {
+  const float ior = 1.5f;
+  const LocalBsdf bsdf = local_bsdf(solid_glass(ior, 0.6f));
+  int compared = 0;
+  for (std::uint32_t i = 0; i < 500; ++i) {
+    const SampleStream stream(Sequence::independent, 4, 0, i);
+    const Vec3f a = sample_cosine_hemisphere(stream.get_2d(0)),
+                b = -sample_cosine_hemisphere(stream.get_2d(1));
+    const double ab = bsdf.evaluate(a, b).f_cos / -b.z, ba = bsdf.evaluate(b, a).f_cos / a.z;
+    EXPECT_NEAR(ab * ior * ior, ba, 2e-3 * (ba + 1e-3));
+    compared += ba > 0.0;
+  }
+  EXPECT_GT(compared, 50);
+}
+
+}  // namespace
+}  // namespace photopic

@@ -1,0 +1,196 @@
+#include <map>
+#include <set>
+
+#include "gltf_fixture.h"
+
+namespace photopic {
+namespace {
+
+/// Every refusal names the place by its JSON pointer.
+struct Fault {
+  const char* pointer;
+  void (*spoil)(SquareFile& file);
+};
+
+const Fault kFaults[] = {
+    {"/asset/version", [](SquareFile& f) { f.asset = R"({"version": "1.0"})"; }},
+    {"/asset/minVersion", [](SquareFile& f) { f.asset = R"({"version": "2.0", "minVersion": "2.1"})"; }},
+    {"/extensionsRequired/0",
+     [](SquareFile& f) { f.more = R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"; }},
+    {"/scenes/0/nodes/0", [](SquareFile& f) { f.roots = "[7]"; }},
+    {"/nodes/0/mesh", [](SquareFile& f) { f.nodes = R"([{"mesh": -1}])"; }},
+    {"/nodes/0/mesh", [](SquareFile& f) { f.nodes = R"([{"mesh": 4294967296}])"; }},
+    {"/nodes/0/mesh", [](SquareFile& f) { f.nodes = R"([{"mesh": "0"}])"; }},
+    {"/nodes/0/matrix", [](SquareFile& f) { f.nodes = R"([{"mesh": 0, "matrix": [1, 2, 3]}])"; }},
+    {"/nodes/0/rotation", [](SquareFile& f) { f.nodes = R"([{"mesh": 0, "rotation": [0, 0, 0, 0]}])"; }},
+    {"/nodes/0", [](SquareFile& f) { f.nodes = R"([{"mesh": 0, "scale": [1e300, 1, 1]}])"; }},
+    {"/nodes/0/children", [](SquareFile& f) { f.nodes = R"([{"mesh": 0, "children": [0]}])"; }},
+    {"/nodes/2/children",
+     [](SquareFile& f) { f.nodes = R"([{"mesh": 0}, {"children": [2]}, {"children": [1]}])"; }},
+    {"/meshes/0/primitives/0/attributes/POSITION",
+     [](SquareFile& f) { f.primitive = R"("attributes": {"POSITION": 9})"; }},
+    {"/meshes/0/primitives/0/attributes/NORMAL",
+     [](SquareFile& f) { f.primitive = R"("attributes": {"POSITION": 0, "NORMAL": 9})"; }},
+    {"/meshes/0/primitives/0/mode", [](SquareFile& f) { f.primitive += R"(, "mode": 7)"; }},
+    {"/meshes/0/primitives/0/material", [](SquareFile& f) { f.primitive += R"(, "material": 1)"; }},
+    {"/meshes/0/primitives/0/indices", [](SquareFile& f) { f.indices[4] = 4; }},
+    {"/meshes/0/primitives/0", [](SquareFile& f) { f.primitive = ""; }},
+    {"/accessors/0", [](SquareFile& f) { f.primitive = R"("attributes": {"POSITION": 0}, "indices": 0)"; }},
+    {"/accessors/1", [](SquareFile& f) { f.primitive = R"("attributes": {"POSITION": 1})"; }},
+    {"/accessors/0", [](SquareFile& f) { f.positions[5] = std::numeric_limits<float>::quiet_NaN(); }},
+    {"/accessors/0", [](SquareFile& f) { f.positions[11] = std::numeric_limits<float>::infinity(); }},
+    {"/accessors/0/count", [](SquareFile& f) { f.accessors.replace(f.accessors.find("4,"), 1, "0"); }},
+    {"/accessors/0/count", [](SquareFile& f) { f.accessors.replace(f.accessors.find("4,"), 1, "-4"); }},
+    {"/accessors/0", [](SquareFile& f) { f.accessors.replace(f.accessors.find("4,"), 1, "5"); }},
+    {"/accessors/0", [](SquareFile& f) { f.accessors.replace(f.accessors.find("4,"), 1, "2147483647"); }},
+    {"/accessors/0/count",
+     [](SquareFile& f) {
+       f.accessors.replace(0, f.accessors.find("}"),
+                           R"({"componentType": 5126, "count": 2000000000, "type": "VEC3")");
+     }},
+    {"/accessors/0/componentType",
+     [](SquareFile& f) { f.accessors.replace(f.accessors.find("5126"), 4, "5124"); }},
+    {"/accessors/0/type", [](SquareFile& f) { f.accessors.replace(f.accessors.find("VEC3"), 4, "VEC9"); }},
+    {"/bufferViews/0", [](SquareFile& f) { f.views.replace(f.views.find("48"), 2, "99"); }},
+    {"/bufferViews/1/byteOffset",
+     [](SquareFile& f) { f.views.replace(f.views.find(": 48,"), 4, ": 18446744073709551600"); }},
+    {"/bufferViews/0/byteStride", [](SquareFile& f) { f.views.replace(1, 0, R"("byteStride": 256, )"); }},
+    {"/accessors/0", [](SquareFile& f) { f.views.replace(1, 0, R"("byteStride": 8, )"); }},
+    {"/bufferViews/0/buffer", [](SquareFile& f) { f.views.replace(f.views.find("0"), 1, "1"); }},
+    {"/buffers/0/uri", [](SquareFile& f) { f.uri = "missing.bin"; }},
+    {"/buffers/0/uri", [](SquareFile& f) { f.uri = "data:application/octet-stream;base64,AAAA"; }},
+    {"/buffers/0/uri", [](SquareFile& f) { f.uri = "data:application/octet-stream;base64,*"; }},
+    {"/buffers/0/uri", [](SquareFile& f) { f.uri = "."; }},
+    {"/materials/0/emissiveFactor/1",
+     [](SquareFile& f) { f.materials = R"([{"emissiveFactor": [1, -1, 0]}])"; }},
+    {"/materials/0/pbrMetallicRoughness/baseColorTexture/index",
+     [](SquareFile& f) {
+       f.materials = R"([{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}])";
+     }},
+    {"/materials/0/extensions/KHR_materials_ior/ior",
+     [](SquareFile& f) { f.materials = R"([{"extensions": {"KHR_materials_ior": {"ior": 0.2}}}])"; }},
+    {"/materials/0/extensions/KHR_materials_volume/attenuationDistance",
+     [](SquareFile& f) {
+       f.materials = R"([{"extensions": {"KHR_materials_volume": {"attenuationDistance": 0}}}])";
+     }},
+    {"/materials/0/extras/reflectance_spectrum",
+     [](SquareFile& f) {
+       f.materials = R"([{"extras": {"reflectance_spectrum": {"nm": [400, 700], "value": [20, 80]}}}])";
+     }},
+    {"/materials/0/extras/reflectance_spectrum",
+     [](SquareFile& f) {
+       f.materials = R"([{"extras": {"reflectance_spectrum": {"nm": [700, 400], "value": [0, 1]}}}])";
+     }},
+    {"/materials/0/extras/reflectance_spectrum",
+     [](SquareFile& f) { f.materials = R"([{"extras": {"reflectance_spectrum": "no-such-file.csv"}}])"; }},
+    {"/materials/0/extras/reflectance_spectrum",
+     [](SquareFile& f) { f.materials = R"([{"extras": {"reflectance_spectrum": 7}}])"; }},
+    {"/cameras/0/perspective/yfov",
+     [](SquareFile& f) { f.more = R"(, "cameras": [{"type": "perspective", "perspective": {"yfov": 0}}])"; }},
+    {"/cameras/0/extras/resolution",
+     [](SquareFile& f) {
+       f.more =
+           R"(, "cameras": [{"type": "perspective", "perspective": {"yfov": 1}, "extras": {"resolution": [0, 5]}}])";
+       f.nodes = R"([{"camera": 0}])";
+     }},
+};
+
+TEST_F(GltfTest, FaultsAreRefusedByTheirPlace) {
+  for (const Fault& fault : kFaults) {
+    SquareFile file;
+    fault.spoil(file);
+    const std::string text = refusal(file.str());
+    EXPECT_NE(text.find(std::string("#") + fault.pointer + ":"), std::string::npos)
+        << "expected " << fault.pointer << ", got: " << text;
+  }
+}
+
+TEST_F(GltfTest, WhatIsNoGltfIsRefused) {
+  for (const char* text : {"", " ", "[]", "7", "{", "{\"asset\": 3}", "{\"asset\": {}}",
+                           "{\"asset\": {\"version\": \"2.0\"}, \"nodes\": 3}",
+                           "{\"asset\": {\"version\": \"2.0\"}, \"meshes\": [1]}", "glTF", "\xff\xfe"}) {
+    EXPECT_FALSE(refusal(text).empty()) << text;
+  }
+  EXPECT_FALSE(message([&] { load_gltf(folder_); }).empty());
+  EXPECT_FALSE(message([&] { load_gltf(folder_ / "none.gltf"); }).empty());
+}
+
+TEST_F(GltfTest, DeepNestingIsRefusedBeforeParsing) {
+  const std::string text = refusal(R"({"asset": {"version": "2.0", "extras": )" + std::string(200'000, '[') +
+                                   std::string(200'000, ']') + "}}");
+  EXPECT_NE(text.find("nested"), std::string::npos) << text;
+}
+
+/// 40 levels of two children each, both the same node: 2^40 instances.
+TEST_F(GltfTest, GraphsThatMultiplyAreRefused) {
+  SquareFile file;
+  file.nodes = "[";
+  for (int i = 0; i < 40; ++i) file.nodes += fmt::format(R"({{"children": [{0}, {0}]}}, )", i + 1);
+  file.nodes += R"({"mesh": 0}])";
+  EXPECT_NE(refusal(file.str()).find("multiply"), std::string::npos);
+}
+
+TEST_F(GltfTest, OddButValidFilesLoadWithAWarning) {
+  SquareFile flat;
+  flat.nodes = R"([{"mesh": 0, "scale": [1, 1, 0]}])";
+  EXPECT_EQ(load(flat.str()).geometry.triangles.size(), 2u);
+  EXPECT_EQ(load(flat.str()).warnings.size(), 1u);
+
+  SquareFile degenerate;
+  degenerate.indices = {0, 1, 2, 3, 3, 1};
+  EXPECT_EQ(load(degenerate.str()).geometry.triangles.size(), 1u);
+  EXPECT_EQ(load(degenerate.str()).warnings.size(), 1u);
+
+  SquareFile points;
+  points.primitive += R"(, "mode": 0)";
+  EXPECT_TRUE(load(points.str()).geometry.triangles.empty());
+  EXPECT_EQ(load(points.str()).warnings.size(), 1u);
+
+  SquareFile optional;
+  optional.more =
+      R"(, "extensionsUsed": ["KHR_materials_sheen", "KHR_materials_sheen", "KHR_materials_variants"])";
+  EXPECT_EQ(load(optional.str()).warnings.size(), 1u);
+}
+
+class SharedFiles : public GltfTest {
+ protected:
+  void SetUp() override {
+    GltfTest::SetUp();
+    if (!std::filesystem::is_directory(shared_)) GTEST_SKIP() << "no collection of glTF files in " << shared_;
+  }
+  const std::filesystem::path shared_ = std::filesystem::path(PHOTOPIC_SHARED) / "gltf";
+  const GltfOptions options_{.allow_incomplete = true};
+};
+
+TEST_F(SharedFiles, GoodFilesLoad) {
+  const std::map<std::string, std::size_t> triangles = {
+      {"BoxInterleaved.glb", 12},        {"TriangleWithoutIndices.gltf", 1},
+      {"MultipleScenes.gltf", 2},        {"SimpleSparseAccessor.gltf", 12},
+      {"Mesh_PrimitiveMode_04.gltf", 2}, {"Mesh_PrimitiveMode_05.gltf", 2},
+      {"Mesh_PrimitiveMode_11.gltf", 2}, {"Mesh_PrimitiveMode_12.gltf", 2}};
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(shared_ / "good")) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".gltf" && entry.path().extension() != ".glb") continue;
+    SCOPED_TRACE(name);
+    const Scene scene = load_gltf(entry.path(), options_);
+    EXPECT_GT(scene.geometry.triangles.size(), 0u);
+    if (triangles.contains(name)) {
+      EXPECT_EQ(scene.geometry.triangles.size(), triangles.at(name));
+    }
+  }
+}
+
+TEST_F(SharedFiles, BadFilesAreRefused) {
+  const std::set<std::string> odd = {"geo_degenerate_all", "node_scale_zero", "node_chain_50000"};
+  for (const auto& entry : std::filesystem::directory_iterator(shared_ / "bad")) {
+    SCOPED_TRACE(entry.path().filename());
+    if (odd.contains(entry.path().stem().string())) {
+      EXPECT_FALSE(load_gltf(entry.path(), options_).warnings.empty());
+    } else {
+      EXPECT_FALSE(message([&] { load_gltf(entry.path(), options_); }).empty());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace photopic

@@ -1,0 +1,149 @@
+#include "core/image_io.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "error.h"
+#include "spectral/color.h"
+
+namespace photopic {
+namespace {
+
+class ImageIo : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              ("photopic-image-" + std::to_string(::getpid()) + "-" +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::size_t file_count() const {
+    return static_cast<std::size_t>(
+        std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()));
+  }
+  std::filesystem::path folder_;
+};
+
+/// Values from far below zero to far above one, each pixel another.
+Image test_image() {
+  Image image(7, 5);
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = std::sinh(0.1f * (static_cast<float>(i) - 40.0f));
+  return image;
+}
+
+TEST_F(ImageIo, ExrKeepsEveryFloat) {
+  Image image = test_image();
+  image.at(3, 2)[1] = std::numeric_limits<float>::infinity();
+  image.at(4, 2)[0] = std::numeric_limits<float>::quiet_NaN();
+  write_image(folder_ / "a.exr", image, {{"photopic:sampler", "optimized"}});
+  const Image read = read_image(folder_ / "a.exr");
+  EXPECT_EQ(read.width, 7);
+  EXPECT_EQ(read.height, 5);
+  EXPECT_TRUE(std::isnan(read.at(4, 2)[0]));
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+    if (!std::isnan(image.pixels[i])) {
+      EXPECT_EQ(read.pixels[i], image.pixels[i]) << i;
+    }
+  }
+  EXPECT_EQ(file_count(), 1u);  // no temporary left
+}
+
+TEST_F(ImageIo, ExrCarriesMetadata) {
+  write_image(folder_ / "a.exr", test_image(), {{"photopic:spectra", "lamp=cie:FL11"}});
+  std::ifstream stream(folder_ / "a.exr", std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+  EXPECT_NE(bytes.find("photopic:spectra"), std::string::npos);
+  EXPECT_NE(bytes.find("lamp=cie:FL11"), std::string::npos);
+}
+
+TEST_F(ImageIo, HdrIsCloseForPositiveValues) {
+  Image image(16, 4);  // shared exponents: 8 bits of the brightest channel
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    image.pixels[i] = 0.5f + 0.01f * static_cast<float>(i);
+  write_image(folder_ / "a.hdr", image);
+  const Image read = read_image(folder_ / "a.hdr");
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    EXPECT_NEAR(read.pixels[i], image.pixels[i], 0.01f * image.pixels[i]);
+}
+
+TEST_F(ImageIo, PngIsSrgbEncodedAfterExposure) {
+  Image image(3, 1);
+  const float values[9] = {0.0f, 0.05f, 0.1f, 0.25f, 0.4f, 0.5f, -1.0f, 2.0f, 0.2f};
+  std::copy_n(values, 9, image.pixels.begin());
+  write_image(folder_ / "a.png", image, {}, 1.0);
+  const Image read = read_image(folder_ / "a.png");
+  for (int i = 0; i < 9; ++i) {
+    const double expected = std::clamp(2.0 * values[i], 0.0, 1.0);
+    // Half a step of 255 in the encoded value.
+    EXPECT_NEAR(srgb_encode(read.pixels[i]), srgb_encode(expected), 0.5 / 255 + 1e-6) << i;
+  }
+}
+
+TEST_F(ImageIo, NansShowInPng) {
+  Image image(2, 1);
+  image.at(1, 0)[2] = std::numeric_limits<float>::quiet_NaN();
+  write_image(folder_ / "a.png", image);
+  const Image read = read_image(folder_ / "a.png");
+  EXPECT_EQ(read.at(0, 0)[0], 0.0f);
+  EXPECT_EQ(read.at(1, 0)[0], 1.0f);
+  EXPECT_EQ(read.at(1, 0)[1], 0.0f);
+}
+
+TEST_F(ImageIo, JpegReadsBack) {
+  Image image(16, 16);
+  std::ranges::fill(image.pixels, 0.2f);
+  write_image(folder_ / "a.jpg", image);
+  EXPECT_NEAR(read_image(folder_ / "a.jpg").at(8, 8)[1], 0.2f, 0.01f);
+}
+
+TEST_F(ImageIo, OverwritesWhole) {
+  write_image(folder_ / "a.exr", Image(64, 64));
+  write_image(folder_ / "a.exr", test_image());
+  EXPECT_EQ(read_image(folder_ / "a.exr").width, 7);
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(ImageIo, UnwritableNamesAreRefusedEarly) {
+  EXPECT_THROW(check_writable_image(folder_ / "a.txt"), InputError);
+  EXPECT_THROW(check_writable_image(folder_ / "a"), InputError);
+  EXPECT_THROW(check_writable_image(folder_ / "none" / "a.exr"), InputError);
+  std::filesystem::create_directory(folder_ / "folder.exr");
+  EXPECT_THROW(check_writable_image(folder_ / "folder.exr"), InputError);
+  EXPECT_THROW(write_image(folder_ / "folder.exr", test_image()), InputError);
+  EXPECT_NO_THROW(check_writable_image(folder_ / "a.PNG"));
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(ImageIo, BadImagesAreRefused) {
+  EXPECT_THROW(read_image(folder_ / "none.exr"), InputError);
+  EXPECT_THROW(read_image(folder_), InputError);
+  std::ofstream(folder_ / "text.exr") << "this is no image";
+  EXPECT_THROW(read_image(folder_ / "text.exr"), InputError);
+  write_image(folder_ / "whole.exr", test_image());
+  std::filesystem::resize_file(folder_ / "whole.exr",
+                               std::filesystem::file_size(folder_ / "whole.exr") - 100);
+  EXPECT_THROW(read_image(folder_ / "whole.exr"), InputError);
+}
+
+/// A header alone, of 30,000 × 30,000 pixels: refused by its size, before anything is decoded.
+TEST_F(ImageIo, AbsurdSizesAreRefused) {
+  std::ofstream stream(folder_ / "huge.hdr", std::ios::binary);
+  stream << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 30000 +X 30000\n";
+  stream.close();
+  try {
+    read_image(folder_ / "huge.hdr");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("30000"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace photopic

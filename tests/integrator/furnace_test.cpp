@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include "integrator/integrator.h"
+#include "support/standard_scenes.h"
+#include "support/statistics.h"
+
+namespace photopic {
+namespace {
+
+using namespace test;
+
+/// A closed box that emits 3 cd/m² from all its walls and reflects nothing; a white object in it is not seen.
+SceneBuilder furnace() {
+  SceneBuilder b;
+  b.box({-2, -2, -2}, {2, 2, 2}, b.lamp(ConstantSpectrum{1.0}, 3.0), true);
+  b.camera({0, -1.9, 0}, {0, 0, 0}, 50, 16, 16);
+  return b;
+}
+
+Estimate luminance(const SceneBuilder& b, int max_depth = 200) {
+  const PreparedScene scene(b.build());
+  const RenderResult r = render(scene, IlluminantWavelengths{4, base_density(scene_emission(scene))},
+                                {.spp = 64, .seed = 5, .max_depth = max_depth});
+  EXPECT_EQ(r.stats.non_finite, 0u);
+  return image_estimates(r.film)[1];
+}
+
+void expect_unseen(const Material& material, double tolerance, const std::string& what) {
+  SceneBuilder boxed = furnace();
+  boxed.box({-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6}, boxed.material(material));
+  const Estimate e = luminance(boxed);
+  EXPECT_NEAR(e.mean, 3.0, 3.0 * tolerance + 4.0 * e.error) << what << " box";
+}
+
+TEST(Furnace, WhiteObjectsAreNotSeen) {
+  const ConstantSpectrum white{1.0};
+  expect_unseen(diffuse(white), 1e-4, "diffuse");
+  for (float roughness : {0.0f, 0.1f, 0.3f, 0.6f, 1.0f}) {
+    const std::string r = std::to_string(roughness);
+    expect_unseen(metal(white, roughness), 0.005, "metal " + r);
+    expect_unseen(plastic(white, roughness), 0.005, "plastic " + r);
+  }
+  expect_unseen(solid_glass(1.5f, 0.0f), 1e-3, "glass");
+  expect_unseen(solid_glass(2.4f, 0.0f), 1e-3, "diamond");
+  expect_unseen(solid_glass(1.0f, 0.0f), 1e-4, "air");
+  expect_unseen(thin_glass(1.5f, 0.0f), 1e-4, "thin glass");
+}
+
+/// Smooth normals on facets lose what is sent below the facet: little, and nothing is gained.
+TEST(Furnace, SmoothSpheres) {
+  for (const Material& m : {diffuse(ConstantSpectrum{1.0}), metal(ConstantSpectrum{1.0}, 0.3f),
+                            solid_glass(1.5f, 0.0f), thin_glass(1.5f, 0.0f)}) {
+    SceneBuilder b = furnace();
+    b.sphere({0, 0, 0}, 0.8, 4, b.material(m));
+    const Estimate e = luminance(b);
+    EXPECT_LT(e.mean, 3.0 + 4.0 * e.error);
+    EXPECT_GT(e.mean, 3.0 * 0.985);
+  }
+}
+
+/// Rough glass as one bounce off the microsurface has it: darker, never brighter.
+TEST(Furnace, RoughGlassGainsNothing) {
+  for (float roughness : {0.1f, 0.4f, 1.0f})
+    for (bool solid : {true, false}) {
+      SceneBuilder b = furnace();
+      b.box({-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6},
+            b.material(solid ? solid_glass(1.5f, roughness) : thin_glass(1.5f, roughness)));
+      const Estimate e = luminance(b);
+      EXPECT_LT(e.mean, 3.0 + 4.0 * e.error) << roughness;
+      EXPECT_GT(e.mean, 3.0 * (roughness < 0.2f ? 0.99 : 0.7)) << roughness;
+    }
+}
+
+/// Where every wall emits 1 and reflects ρ, the series Σ ρⁱ has max_depth terms.
+TEST(Furnace, GeometricSeriesOfBounces) {
+  for (double albedo : {0.5, 0.9})
+    for (int depth : {1, 2, 3, 8, 100}) {
+      SceneBuilder b;
+      Material m = diffuse(ConstantSpectrum{albedo});
+      m.emission_spectrum = b.emission(d65());
+      m.emission_luminance = 1.0f;
+      b.box({-1, -1, -1}, {1, 1, 1}, b.material(m), true);
+      b.camera({0, 0, 0}, {1, 0.2, 0.1}, 70, 16, 16);
+      const Estimate e = luminance(b, depth);
+      const double expected = (1.0 - std::pow(albedo, depth)) / (1.0 - albedo);
+      EXPECT_NEAR(e.mean, expected, 4.0 * e.error + 1e-4 * expected) << albedo << " depth " << depth;
+      EXPECT_LT(e.error, 0.02 * expected);
+    }
+}
+
+}  // namespace
+}  // namespace photopic
