@@ -125,6 +125,11 @@ void check_extensions(const Place& root) {
 
 void check_rules(const Place& root) {
   using namespace gltf_rules;
+  for (const auto path : kLists) {
+    for_each(root, path, [](const Place& at) {
+      if (!at.value.is_array()) at.fail("this must be a list");
+    });
+  }
   for (const auto path : kObjects)
     for_each(root, path, [](const Place& at) {
       if (!at.value.is_object()) at.fail("this must be an object");

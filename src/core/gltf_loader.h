@@ -17,7 +17,7 @@ struct EmitterOverride {
 
 struct GltfOptions {
   std::vector<EmitterOverride> emitters{};  ///< later ones win; a NAME wins over an empty name
-  std::string camera{};                     ///< the camera's name; empty: the scene's first
+  std::string camera{};                     ///< name of a camera or its node; empty: the first in the scene
   int width = 0, height = 0;      ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
   bool allow_incomplete = false;  ///< no camera (its width stays 0) and no light are no errors
 };

@@ -147,6 +147,27 @@ inline constexpr auto kStrings = std::to_array<std::string_view>({
 inline constexpr auto kBooleans =
     std::to_array<std::string_view>({"accessors/*/normalized", "materials/*/doubleSided"});
 
+inline constexpr auto kLists = std::to_array<std::string_view>({
+    "accessors",
+    "animations",
+    "buffers",
+    "bufferViews",
+    "cameras",
+    "extensionsRequired",
+    "extensionsUsed",
+    "images",
+    "materials",
+    "meshes",
+    "nodes",
+    "samplers",
+    "scenes",
+    "skins",
+    "textures",
+    "scenes/*/nodes",
+    "nodes/*/children",
+    "meshes/*/primitives",
+});
+
 /// Lists whose elements are objects, and single objects.
 inline constexpr auto kObjects = std::to_array<std::string_view>({
     "asset",

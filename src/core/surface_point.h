@@ -34,12 +34,16 @@ inline SurfacePoint surface_point(const Geometry& geometry, const Hit& hit) {
   const Vec3f a = geometry.positions[triangle[0]];
   const Vec3f b = geometry.positions[triangle[1]];
   const Vec3f c = geometry.positions[triangle[2]];
-  SurfacePoint point;
-  point.position = a * (1.0f - hit.u - hit.v) + b * hit.u + c * hit.v;
   const Vec3f ab = b - a, ac = c - a;
   const float edge = std::max(max_abs(ab), max_abs(ac));  // scaled, so that tiny triangles do not underflow
+  SurfacePoint point;
   point.geometric_normal = normalize(cross(ab / edge, ac / edge));
   point.error = position_error(a, b, c);
+  // Drawn towards the triangle's middle by more than rounding may have moved it: at an edge that a wall shares, the
+  // point must not come to lie behind the wall.
+  const float shrink = std::min(2.0f * point.error / edge, 1.0f);
+  const float u = hit.u + (1.0f / 3.0f - hit.u) * shrink, v = hit.v + (1.0f / 3.0f - hit.v) * shrink;
+  point.position = a * (1.0f - u - v) + b * u + c * v;
   point.shading_normal = point.geometric_normal;
   if (!geometry.normals.empty()) {
     const Vec3f n = geometry.normals[triangle[0]] * (1.0f - hit.u - hit.v) +

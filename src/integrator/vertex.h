@@ -18,12 +18,25 @@ struct Vertex {
         wo(frame.to_local(wo_world)),
         bsdf(surface, lambda) {}
 
-  BsdfValue<N> evaluate(Vec3f wi) const { return bsdf.evaluate(wo, frame.to_local(wi)); }
+  BsdfValue<N> evaluate(Vec3f wi) const {
+    const Vec3f local = frame.to_local(wi);
+    if (!sides_agree(wi, local.z)) return {};
+    return bsdf.evaluate(wo, local);
+  }
 
   std::optional<BsdfSample<N>> sample(float u_lobe, Sample2d u) const {
     auto s = bsdf.sample(wo, u_lobe, u);
-    if (s) s->wi = frame.to_world(s->wi);
+    if (!s) return {};
+    const float cos_theta = s->wi.z;
+    s->wi = frame.to_world(s->wi);
+    if (!sides_agree(s->wi, cos_theta)) return {};
     return s;
+  }
+
+  /// Whether wi is above the triangle if it is above the shading normal's plane. Light from elsewhere would leak
+  /// through the surface: Veach 1997, section 5.3.
+  bool sides_agree(Vec3f wi, float cos_theta) const {
+    return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
   }
 
   /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.

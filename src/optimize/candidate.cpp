@@ -11,6 +11,7 @@ double uniform(Random& random) {
   return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
+constexpr double kEnd = 1;
 /// log of a density that is flat between two boundaries and falls off outside.
 double soft_box(double t, double left, double right) {
   constexpr double kFall = 30.0, kLowest = -6.0;
@@ -24,6 +25,20 @@ Candidate soft_strata(const std::vector<double>& boundaries, std::vector<bool> b
   for (int k = 0; k < candidate.wavelengths(); ++k)
     for (int b = 0; b < nodes; ++b)
       candidate.v.push_back(soft_box(static_cast<double>(b) / (nodes - 1), boundaries[k], boundaries[k + 1]));
+  return candidate;
+}
+
+Candidate equal_strata(int wavelengths, int least_nodes) {
+  // Whole cells for each stratum, so that all have the same shape, and half of one at either end for the ramps.
+  const int per_stratum = (least_nodes - 2 + wavelengths - 1) / wavelengths;
+  const int nodes = per_stratum * wavelengths + 2;
+  Candidate candidate{std::vector<bool>(wavelengths, false), {}};
+  for (int k = 0; k < wavelengths; ++k)
+    for (int b = 0; b < nodes; ++b) {
+      const double from_left = b - (k * per_stratum + 0.5), from_right = (k + 1) * per_stratum + 0.5 - b;
+      const bool at_end = (k == 0 && b == 0) || (k == wavelengths - 1 && b == nodes - 1);
+      candidate.v.push_back(std::log(std::clamp(0.5 + std::min(from_left, from_right), at_end ? kEnd : 1e-4, 1.0)));
+    }
   return candidate;
 }
 

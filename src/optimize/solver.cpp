@@ -4,11 +4,12 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -22,6 +23,7 @@ namespace {
 
 constexpr double kLowest = -9.0, kHighest = 5.0;  ///< bounds of v: a ratio of 1e6 between node values
 constexpr int kTargets = 48;
+constexpr unsigned kMemory = 20;  ///< steps that L-BFGS remembers; NLopt's own choice is hundreds, and slow
 
 /// What NLopt calls: remembers the best point, since NLopt may end anywhere and report a failure.
 struct Descent {
@@ -53,7 +55,7 @@ struct Outcome {
 Outcome descend(Candidate& candidate, const std::shared_ptr<const EstimateLoss>& loss,
                 const SearchLevel& level) {
   for (double& x : candidate.v) x = std::clamp(x, kLowest, kHighest);
-  Descent descent{{loss, candidate.backwards, level.nodes, level.strata}, candidate.v};
+  Descent descent{{loss, candidate.backwards, candidate.nodes(), level.strata}, candidate.v};
 
   const auto count = static_cast<unsigned>(candidate.v.size());
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> solver(nlopt_create(NLOPT_LD_LBFGS, count),
@@ -63,6 +65,7 @@ Outcome descend(Candidate& candidate, const std::shared_ptr<const EstimateLoss>&
   nlopt_set_lower_bounds1(solver.get(), kLowest);
   nlopt_set_upper_bounds1(solver.get(), kHighest);
   nlopt_set_maxeval(solver.get(), level.evaluations);
+  nlopt_set_vector_storage(solver.get(), kMemory);
   nlopt_set_ftol_rel(solver.get(), level.tolerance);
 
   std::vector<double> v = candidate.v;
@@ -77,9 +80,11 @@ Outcome descend(Candidate& candidate, const std::shared_ptr<const EstimateLoss>&
 /// Tells how far the search is, from any thread.
 class Progress {
  public:
-  Progress(const std::function<void(double)>& report, const std::vector<SearchLevel>& plan)
-      : report_(report) {
+  Progress(const std::function<void(double)>& report, const std::vector<SearchLevel>& plan,
+           std::size_t searches)
+      : report_(report), total_(cost(plan.back())) {
     for (const SearchLevel& level : plan) total_ += level.candidates * cost(level);
+    total_ *= static_cast<double>(searches);
   }
   void done(const SearchLevel& level) {
     if (!report_) return;
@@ -93,7 +98,7 @@ class Progress {
   }
   const std::function<void(double)>& report_;
   std::mutex mutex_;
-  double done_ = 0.0, total_ = 0.0;
+  double done_ = 0.0, total_;
 };
 
 int starts_for(const OptimizeOptions& options) {
@@ -102,17 +107,9 @@ int starts_for(const OptimizeOptions& options) {
   return options.objective == Objective::mean_delta_e ? starts / 4 : starts;
 }
 
-/// The first candidate: the strata of the illuminant sampler.
-Candidate equal_strata(int wavelengths, int nodes) {
-  std::vector<double> boundaries;
-  for (int k = 0; k <= wavelengths; ++k) boundaries.push_back(static_cast<double>(k) / wavelengths);
-  return soft_strata(boundaries, std::vector<bool>(wavelengths, false), nodes);
-}
-
 /// Every candidate has a generator of its own, so that neither the threads nor the number of starts change
 /// it.
 Candidate start(int index, int nodes, const OptimizeOptions& options) {
-  if (index == 0) return equal_strata(options.wavelengths, nodes);
   std::seed_seq seeds{static_cast<std::uint32_t>(options.seed),
                       static_cast<std::uint32_t>(options.seed >> 32), static_cast<std::uint32_t>(index)};
   Random random(seeds);
@@ -130,22 +127,21 @@ WavelengthDistribution to_distribution(const PiecewiseLinearDensity& base, const
   return distribution;
 }
 
-/// The best candidate, and what its last descent said.
+/// A candidate, and what its last descent said.
 struct Found {
   Candidate candidate;
   Outcome outcome;
-  int evaluations = 0;
 };
 
 Found search(const std::shared_ptr<const EstimateLoss>& loss, const std::vector<SearchLevel>& plan,
-             const OptimizeOptions& options, Progress& progress) {
+             const OptimizeOptions& options, Progress& progress, int& evaluations) {
   std::vector<Found> pool(plan[0].candidates);
   for (int i = 0; i < plan[0].candidates; ++i) pool[i].candidate = start(i, plan[0].nodes, options);
-  int evaluations = 0;
   for (const SearchLevel& level : plan) {
     if (level.candidates < static_cast<int>(pool.size())) pool.resize(level.candidates);
+    for (Found& found : pool) found.candidate = resampled(found.candidate, level.nodes);
+    if (&level == &plan.back()) pool.push_back({equal_strata(options.wavelengths, level.nodes), {}});
     tbb::parallel_for(std::size_t{0}, pool.size(), [&](std::size_t i) {
-      pool[i].candidate = resampled(pool[i].candidate, level.nodes);
       pool[i].outcome = descend(pool[i].candidate, loss, level);
       progress.done(level);
     });
@@ -153,20 +149,23 @@ Found search(const std::shared_ptr<const EstimateLoss>& loss, const std::vector<
     std::stable_sort(pool.begin(), pool.end(),
                      [](const Found& a, const Found& b) { return a.candidate.value < b.candidate.value; });
   }
-  pool[0].evaluations = evaluations;
   return pool[0];
 }
 
-void judge(WavelengthDistribution& distribution, const Targets& targets) {
+/// Fills in the baselines' values, each as its own sampler.
+void judge_baselines(WavelengthDistribution& distribution, const Targets& targets) {
   const int count = static_cast<int>(distribution.components.size());
-  const WavelengthSampler samplers[] = {OptimizedWavelengths(distribution),
-                                        IlluminantWavelengths{count, distribution.base},
+  const WavelengthSampler samplers[] = {IlluminantWavelengths{count, base_density(targets.mixed)},
                                         VisibleWavelengths{count}, UniformWavelengths{count}};
-  double* const values[] = {&distribution.value, &distribution.illuminant_value, &distribution.visible_value,
+  double* const values[] = {&distribution.illuminant_value, &distribution.visible_value,
                             &distribution.uniform_value};
-  tbb::parallel_for(0, 4, [&](int i) { *values[i] = sampler_value(samplers[i], targets); });
-  distribution.objective = targets.objective == Objective::asymptotic ? "asymptotic" : "mean-delta-e";
-  distribution.spectrum_digest = digest(targets.mixed);
+  tbb::parallel_for(0, 3, [&](int i) { *values[i] = sampler_value(samplers[i], targets); });
+}
+
+/// The shares of sech² in the base densities that are tried. Lines ask for little of it; many wavelengths
+/// under a smooth lamp for nearly nothing else.
+std::vector<double> visible_shares(const OptimizeOptions& options) {
+  return options.wavelengths <= 4 ? std::vector{0.3} : std::vector{0.3, 0.9};
 }
 
 Targets make_targets(std::span<const TabulatedSpectrum> emissions, const OptimizeOptions& options) {
@@ -181,6 +180,26 @@ Targets make_targets(std::span<const TabulatedSpectrum> emissions, const Optimiz
           std::move(reflectances)};
 }
 
+/// The best on one base density, or its equal strata where nothing is better.
+OptimizeResult search_with(const PiecewiseLinearDensity& base, const Targets& targets,
+                           const std::vector<SearchLevel>& plan, const OptimizeOptions& options,
+                           Progress& progress, int& evaluations) {
+  const auto loss = std::make_shared<const EstimateLoss>(targets, base);
+  const Found found = search(loss, plan, options, progress, evaluations);
+  OptimizeResult result{
+      .distribution = to_distribution(base, found.candidate),
+      .initial = to_distribution(base, equal_strata(options.wavelengths, plan.back().nodes)),
+      .solver_failed = found.outcome.failed,
+      .solver_note = found.outcome.note};
+  for (WavelengthDistribution* distribution : {&result.distribution, &result.initial}) {
+    distribution->value = sampler_value(OptimizedWavelengths(*distribution), targets);
+    distribution->objective = targets.objective == Objective::asymptotic ? "asymptotic" : "mean-delta-e";
+    distribution->spectrum_digest = digest(targets.mixed);
+  }
+  if (result.initial.value < result.distribution.value) result.distribution = result.initial;
+  return result;
+}
+
 }  // namespace
 
 OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emissions,
@@ -192,23 +211,22 @@ OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emission
   const auto begin = std::chrono::steady_clock::now();
 
   const Targets targets = make_targets(emissions, options);
-  const PiecewiseLinearDensity base = base_density(targets.mixed);
-  const auto loss = std::make_shared<const EstimateLoss>(targets, base);
   const std::vector<SearchLevel> plan = search_plan(options.wavelengths, starts_for(options));
-  Progress progress(report, plan);
-  Found found = search(loss, plan, options, progress);
+  const std::vector<double> shares = visible_shares(options);
+  Progress progress(report, plan, shares.size());
 
-  OptimizeResult result{
-      .distribution = to_distribution(base, found.candidate),
-      .initial = to_distribution(base, equal_strata(options.wavelengths, plan.back().nodes)),
-      .evaluations = found.evaluations,
-      .solver_failed = found.outcome.failed,
-      .solver_note = found.outcome.note};
-  judge(result.distribution, targets);
-  judge(result.initial, targets);
-  if (result.initial.value < result.distribution.value) result.distribution = result.initial;
+  std::optional<OptimizeResult> best;
+  int evaluations = 0;
+  for (const double share : shares) {
+    OptimizeResult result =
+        search_with(base_density(targets.mixed, 0.02, share), targets, plan, options, progress, evaluations);
+    if (!best || result.distribution.value < best->distribution.value) best = std::move(result);
+  }
+  OptimizeResult& result = *best;
+  result.evaluations = evaluations;
+  judge_baselines(result.distribution, targets);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return result;
+  return std::move(*best);
 }
 
 OptimizeResult optimize_distribution(const TabulatedSpectrum& emission, const OptimizeOptions& options,

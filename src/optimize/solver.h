@@ -25,11 +25,12 @@ struct OptimizeOptions {
 
 struct OptimizeResult {
   WavelengthDistribution distribution;  ///< `spectrum` is left to the caller
-  WavelengthDistribution initial;  ///< N soft strata of equal probability: where a plain search would start
-  int evaluations = 0;             ///< of the objective, with its gradient
-  double seconds = 0;              ///< of wall clock
-  bool solver_failed = false;      ///< NLopt gave up on a final descent; the best point it saw was kept
-  std::string solver_note;         ///< what NLopt said of it
+  WavelengthDistribution
+      initial;                 ///< N strata of equal probability: the illuminant sampler on this base density
+  int evaluations = 0;         ///< of the objective, with its gradient
+  double seconds = 0;          ///< of wall clock
+  bool solver_failed = false;  ///< NLopt gave up on a final descent; the best point it saw was kept
+  std::string solver_note;     ///< what NLopt said of it
 };
 
 /// Searches the N densities for one lamp. Deterministic: the same emission, options and build give the same

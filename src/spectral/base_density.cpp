@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +17,22 @@ double visibility(const Observer& observer, double lambda) {
   return 0.6 * h.x + 1.0 * h.y + 0.35 * h.z;
 }
 
+/// Radziszewski et al. 2009, as VisibleWavelengths; unnormalised.
+double sech_squared(double lambda) {
+  const double cosh = std::cosh(0.0072 * (lambda - 538.0));
+  return 1.0 / (cosh * cosh);
+}
+
+/// Mixes a share of another function, normalised over the knots, into a normalised one.
+template <typename Function>
+void mix_in(double share, Function function, const std::vector<double>& x, std::vector<double>& value) {
+  CompensatedSum total;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i)
+    total += (x[i + 1] - x[i]) * (0.5 * (function(x[i]) + function(x[i + 1])));
+  for (std::size_t i = 0; i < x.size(); ++i)
+    value[i] = (1.0 - share) * value[i] + share * function(x[i]) / total.value();
+}
+
 /// The knots at which both the emission and the observer are linear in between, cut to the rendered range.
 std::vector<double> union_of_knots(const TabulatedSpectrum& emission) {
   std::vector<double> knots;
@@ -29,9 +46,9 @@ std::vector<double> union_of_knots(const TabulatedSpectrum& emission) {
 
 }  // namespace
 
-PiecewiseLinearDensity base_density(const TabulatedSpectrum& emission, double defensive) {
-  if (!(defensive >= 0.0 && defensive <= 1.0))
-    throw std::invalid_argument("the defensive share lies in [0, 1]");
+PiecewiseLinearDensity base_density(const TabulatedSpectrum& emission, double defensive, double visible) {
+  const auto is_share = [](double share) { return share >= 0.0 && share <= 1.0; };
+  if (!is_share(defensive) || !is_share(visible)) throw std::invalid_argument("a share lies in [0, 1]");
   const auto values = emission.value();
   const double brightest = *std::max_element(values.begin(), values.end());
   if (!(brightest > 0.0)) throw std::invalid_argument("the emission is zero everywhere");
@@ -51,7 +68,10 @@ PiecewiseLinearDensity base_density(const TabulatedSpectrum& emission, double de
   }
   if (!(total.value() > 0.0)) throw std::invalid_argument("the emission is zero from 360 to 830 nm");
 
-  for (double& v : value) v = (1.0 - defensive) * (v / total.value()) + defensive / (kLambdaMax - kLambdaMin);
+  for (double& v : value) v /= total.value();
+  mix_in(
+      defensive, [](double) { return 1.0; }, x, value);
+  mix_in(visible, sech_squared, x, value);
   return {std::move(x), std::move(value)};
 }
 

@@ -1,5 +1,7 @@
 """The commands at work on a tiny scene: files, JSON, reproducible bits, the cache, interruption."""
 
+import pathlib
+import re
 import signal
 import subprocess
 import time
@@ -63,10 +65,21 @@ class Render(CommandTest):
                 run = self.read_json("a.json")
                 self.assertEqual((run["wavelengths"], run["sampler"]), (count, sampler))
 
+    def wait_for_handler(self, pid):
+        """Until the process catches SIGINT."""
+        for _ in range(DEADLINE * 20):
+            status = pathlib.Path(f"/proc/{pid}/status").read_text()
+            caught = int(re.search(r"SigCgt:\s*([0-9a-f]+)", status).group(1), 16)
+            if caught >> (signal.SIGINT - 1) & 1:
+                return
+            time.sleep(0.05)
+        self.fail("SIGINT is not caught")
+
     def test_interrupt_saves_the_partial_image(self):
         command = [BINARY, "render", str(self.scene), "-o", "a.exr", "--sampler", "uniform", "--spp", str(1 << 24)]
         process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True, env=self.environment)
-        time.sleep(1.0)
+        self.wait_for_handler(process.pid)
+        time.sleep(0.5)
         process.send_signal(signal.SIGINT)
         _, stderr = process.communicate(timeout=DEADLINE)
         self.assertEqual(process.returncode, 130, stderr)

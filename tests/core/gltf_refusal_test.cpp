@@ -17,6 +17,7 @@ const Fault kFaults[] = {
     {"/asset/minVersion", [](SquareFile& f) { f.asset = R"({"version": "2.0", "minVersion": "2.1"})"; }},
     {"/extensionsRequired/0",
      [](SquareFile& f) { f.more = R"(, "extensionsRequired": ["KHR_draco_mesh_compression"])"; }},
+    {"/skins", [](SquareFile& f) { f.more = R"(, "skins": {})"; }},
     {"/scenes/0/nodes/0", [](SquareFile& f) { f.roots = "[7]"; }},
     {"/nodes/0/mesh", [](SquareFile& f) { f.nodes = R"([{"mesh": -1}])"; }},
     {"/nodes/0/mesh", [](SquareFile& f) { f.nodes = R"([{"mesh": 4294967296}])"; }},

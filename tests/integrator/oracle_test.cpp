@@ -31,9 +31,9 @@ void compare_with_oracle(const SceneBuilder& builder, int max_depth, int spp, in
   }
 }
 
-TEST(Oracle, DiffuseRoom) { compare_with_oracle(diffuse_room(), 6, 500, 1000); }
-TEST(Oracle, GlossyRoom) { compare_with_oracle(glossy_room(), 6, 500, 1000); }
-TEST(Oracle, GlassRoom) { compare_with_oracle(glass_room(), 8, 500, 1000); }
+TEST(Oracle, DiffuseRoom) { compare_with_oracle(diffuse_room(), 6, 900, 1300); }
+TEST(Oracle, GlossyRoom) { compare_with_oracle(glossy_room(), 6, 900, 1300); }
+TEST(Oracle, GlassRoom) { compare_with_oracle(glass_room(), 8, 900, 1300); }
 
 /// The stratified sequence estimates it too: the mean over seeds, its error from their scatter.
 TEST(Oracle, SobolSequenceIsUnbiased) {

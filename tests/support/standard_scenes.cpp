@@ -23,7 +23,7 @@ SceneBuilder lamp_room(const Spectrum& lamp, int resolution) {
   b.quad({1, 1, 0}, {1, -1, 0}, {1, -1, 2}, {1, 1, 2}, green);
   b.quad({1, -1, 0}, {-1, -1, 0}, {-1, -1, 2}, {1, -1, 2}, white);
   b.quad({-1, 1, 0}, {1, 1, 0}, {1, 1, 2}, {-1, 1, 2}, white);
-  b.ceiling({0, 0, 1.95}, 0.6, 0.6, b.lamp(lamp, 10.0));
+  b.ceiling({0, 0, 1.95}, 0.9, 0.9, b.lamp(lamp, 10.0));
   b.camera({0, -0.98, 1.0}, {0, 1, 0.8}, 75, resolution, resolution);
   return b;
 }

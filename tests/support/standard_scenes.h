@@ -13,7 +13,7 @@ namespace photopic::test {
 Spectrum fl11();
 Spectrum d65();
 
-/// A closed room of 2 m, walls of several colours, a lamp of 1.2 m and 10 cd/m² under the ceiling, seen from
+/// A closed room of 2 m, walls of several colours, a lamp of 1.8 m and 10 cd/m² under the ceiling, seen from
 /// inside; nothing stands in it yet.
 SceneBuilder lamp_room(const Spectrum& lamp, int resolution = 16);
 
