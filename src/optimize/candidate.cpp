@@ -11,7 +11,7 @@ double uniform(Random& random) {
   return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-constexpr double kEnd = 1;
+constexpr double kEnd = 0.05;
 /// log of a density that is flat between two boundaries and falls off outside.
 double soft_box(double t, double left, double right) {
   constexpr double kFall = 30.0, kLowest = -6.0;
@@ -37,7 +37,7 @@ Candidate equal_strata(int wavelengths, int least_nodes) {
     for (int b = 0; b < nodes; ++b) {
       const double from_left = b - (k * per_stratum + 0.5), from_right = (k + 1) * per_stratum + 0.5 - b;
       const bool at_end = (k == 0 && b == 0) || (k == wavelengths - 1 && b == nodes - 1);
-      candidate.v.push_back(std::log(std::clamp(0.5 + std::min(from_left, from_right), at_end ? kEnd : 1e-4, 1.0)));
+      candidate.v.push_back(std::log(std::clamp(0.5 + std::min(from_left, from_right), at_end ? kEnd : 1e-6, 1.0)));
     }
   return candidate;
 }

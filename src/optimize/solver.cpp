@@ -21,7 +21,7 @@
 namespace photopic {
 namespace {
 
-constexpr double kLowest = -9.0, kHighest = 5.0;  ///< bounds of v: a ratio of 1e6 between node values
+constexpr double kLowest = -14.0, kHighest = 5.0;  ///< bounds of v: a ratio of 1e6 between node values
 constexpr int kTargets = 48;
 constexpr unsigned kMemory = 20;  ///< steps that L-BFGS remembers; NLopt's own choice is hundreds, and slow
 

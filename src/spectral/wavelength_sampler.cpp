@@ -47,8 +47,8 @@ double sum_at(const UniformWavelengths& s, double lambda) {
 void draw(const VisibleWavelengths& s, double u, std::span<double> lambda, std::span<double> sum) {
   for (int j = 0; j < s.count; ++j) {
     const double th = kVisible.first + kVisible.span * rotated(u, j, s.count);
-    lambda[j] =
-        std::clamp(VisibleDensity::kCentre + std::atanh(th) / VisibleDensity::kA, kLambdaMin, kLambdaMax);
+    const double atanh = 0.5 * std::log((1.0 + th) / (1.0 - th));
+    lambda[j] = std::clamp(VisibleDensity::kCentre + atanh / VisibleDensity::kA, kLambdaMin, kLambdaMax);
     sum[j] = s.count * kVisible.density_at_tanh(th);
   }
 }
@@ -118,39 +118,35 @@ OptimizedWavelengths::OptimizedWavelengths(const WavelengthDistribution& distrib
     throw std::invalid_argument("a wavelength distribution has no densities");
   const std::size_t nodes = distribution.components[0].nodes.size();
   if (nodes < 2) throw std::invalid_argument("a density has fewer than two nodes");
-  cells_ = static_cast<double>(nodes - 1);
 
   std::vector<double> t(nodes);
-  for (std::size_t i = 0; i < nodes; ++i) t[i] = static_cast<double>(i) / cells_;
-  std::vector<double> sum(nodes + 1, 0.0);
+  for (std::size_t i = 0; i < nodes; ++i) t[i] = static_cast<double>(i) / static_cast<double>(nodes - 1);
+  std::vector<PiecewiseLinearDensity> densities;
+  q_sum_.assign(nodes, 0.0);
   for (const auto& component : distribution.components) {
     if (component.nodes.size() != nodes)
       throw std::invalid_argument("the densities differ in their number of nodes");
-    components_.push_back({PiecewiseLinearDensity(t, component.nodes), component.backwards});
-    const auto q = components_.back().density.value();
-    for (std::size_t i = 0; i < nodes; ++i) sum[i] += q[i];
+    densities.emplace_back(t, component.nodes);
+    for (std::size_t i = 0; i < nodes; ++i) q_sum_[i] += densities.back().value()[i];
   }
-  sum[nodes] = sum[nodes - 1];
-  for (std::size_t i = 0; i < nodes; ++i) q_sum_.push_back({sum[i], sum[i + 1] - sum[i]});
-}
-
-double OptimizedWavelengths::q_sum(double t) const {
-  const double position = t * cells_;
-  const auto i = static_cast<std::size_t>(position);
-  return q_sum_[i].value + q_sum_[i].rise * (position - static_cast<double>(i));
+  for (std::size_t k = 0; k < densities.size(); ++k)
+    components_.push_back(
+        {densities[k], distribution.components[k].backwards, ComposedDensity(base_, densities[k], q_sum_)});
 }
 
 void OptimizedWavelengths::draw(double u, std::span<double> lambda, std::span<double> density_sum) const {
   for (std::size_t k = 0; k < components_.size(); ++k) {
-    const double t = components_[k].density.inverse(components_[k].backwards ? 1.0 - u : u);
-    const auto drawn = base_.draw(t);
-    lambda[k] = drawn.x;
-    density_sum[k] = q_sum(t) * drawn.density;
+    const auto drawn = components_[k].composed.draw(components_[k].backwards ? 1.0 - u : u);
+    lambda[k] = drawn.lambda;
+    density_sum[k] = drawn.density_sum;
   }
 }
 
 double OptimizedWavelengths::density_sum(double lambda) const {
-  return q_sum(base_.cdf(lambda)) * base_.density(lambda);
+  const double position = base_.cdf(lambda) * static_cast<double>(q_sum_.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(position), q_sum_.size() - 2);
+  const double f = position - static_cast<double>(i);
+  return (q_sum_[i] * (1.0 - f) + q_sum_[i + 1] * f) * base_.density(lambda);
 }
 
 std::vector<double> OptimizedWavelengths::breakpoints(std::span<const double> knots) const {
@@ -158,8 +154,8 @@ std::vector<double> OptimizedWavelengths::breakpoints(std::span<const double> kn
   for (const auto list : {base_.x(), knots})
     for (const double lambda : list) t.push_back(base_.cdf(lambda));
   std::vector<double> u;
-  for (const auto& [density, backwards] : components_)
-    for (const double at : t) u.push_back(backwards ? 1.0 - density.cdf(at) : density.cdf(at));
+  for (const Component& c : components_)
+    for (const double at : t) u.push_back(c.backwards ? 1.0 - c.density.cdf(at) : c.density.cdf(at));
   return u;
 }
 

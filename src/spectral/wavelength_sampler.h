@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "spectral/composed_density.h"
 #include "spectral/piecewise_density.h"
 #include "spectral/sampled_spectrum.h"
 #include "spectral/wavelength_distribution.h"
@@ -44,16 +45,12 @@ class OptimizedWavelengths {
   struct Component {
     PiecewiseLinearDensity density;  ///< q_k on t
     bool backwards;
+    ComposedDensity composed;  ///< p_k, for drawing
   };
-  struct Node {
-    double value, rise;  ///< Σ_k q_k here, and by how much it rises to the next node
-  };
-  double q_sum(double t) const;
 
   PiecewiseLinearDensity base_;
+  std::vector<double> q_sum_;  ///< Σ_k q_k at the nodes: piecewise linear on equal cells of t, as each q_k is
   std::vector<Component> components_;
-  std::vector<Node> q_sum_;  ///< piecewise linear on equal cells of t, as each q_k is
-  double cells_;             ///< their number
 };
 
 using WavelengthSampler =

@@ -122,6 +122,20 @@ SceneBuilder& SceneBuilder::place(double scale, Vec3d offset) {
   return *this;
 }
 
+SceneBuilder& SceneBuilder::turn(Vec3d axis, double radians) {
+  const Vec3d k = normalize(axis);
+  const double c = std::cos(radians), sn = std::sin(radians);
+  // Rodrigues' formula.
+  const auto turned = [&](Vec3d v) { return v * c + cross(k, v) * sn + k * (dot(k, v) * (1.0 - c)); };
+  const auto turned_float = [&](Vec3f v) { return to_float(turned(to_double(v))); };
+  for (Vec3d& p : positions_) p = turned(p);
+  for (Vec3f& n : scene_.geometry.normals) n = turned_float(n);
+  Camera& camera = scene_.camera;
+  camera_ = turned(camera_);
+  camera.right = turned_float(camera.right), camera.up = turned_float(camera.up), camera.back = turned_float(camera.back);
+  return *this;
+}
+
 Scene SceneBuilder::build(Vec3d origin) const {
   Scene scene = scene_;
   for (const Vec3d& p : positions_) scene.geometry.positions.push_back(to_float(p - origin));

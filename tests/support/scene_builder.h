@@ -32,6 +32,9 @@ class SceneBuilder {
   /// Everything p becomes p·scale + offset, the camera too.
   SceneBuilder& place(double scale, Vec3d offset = {});
 
+  /// Turns everything about an axis through zero.
+  SceneBuilder& turn(Vec3d axis, double radians);
+
   /// Rounds coordinates relative to the origin.
   Scene build(Vec3d origin = {}) const;
 

@@ -30,8 +30,10 @@ SceneBuilder lamp_room(const Spectrum& lamp, int resolution) {
 
 SceneBuilder diffuse_room(int resolution) {
   SceneBuilder b = lamp_room(fl11(), resolution);
-  const auto blue = b.material(diffuse(rgb(0.15, 0.2, 0.7)));
-  b.box({-0.7, 0.1, 0}, {-0.2, 0.5, 1.1}, blue);
+  Material glowing = diffuse(rgb(0.15, 0.2, 0.7));  // a second lamp, of another spectrum
+  glowing.emission_spectrum = b.emission(BlackbodySpectrum{2700});
+  glowing.emission_luminance = 0.5f;
+  b.box({-0.7, 0.1, 0}, {-0.2, 0.5, 1.1}, b.material(glowing));
   b.sphere({0.4, 0, 0.4}, 0.4, 2, b.material(diffuse(ConstantSpectrum{0.5})));
   return b;
 }
@@ -44,6 +46,7 @@ SceneBuilder glossy_room(int resolution) {
   Material mixed = plastic(rgb(0.5, 0.5, 0.1), 0.6f);
   mixed.metallic = 0.5f;
   b.sphere({0.1, 0.6, 1.2}, 0.25, 2, b.material(mixed));
+  b.quad({-0.9, 0.6, 1.2}, {-0.4, 0.4, 1.3}, {-0.4, 0.4, 1.7}, {-0.9, 0.6, 1.7}, b.lamp(fl11(), 3.0, true));
   return b;
 }
 
@@ -53,7 +56,8 @@ SceneBuilder glass_room(int resolution) {
   tinted.attenuation_color = rgb(0.3, 0.8, 0.6);
   tinted.attenuation_distance = 0.5f;
   b.sphere({-0.45, 0.2, 0.5}, 0.4, 2, b.material(tinted));
-  b.sphere({0.45, 0, 0.5}, 0.4, 2, b.material(solid_glass(1.33f, 0.4f)));
+  tinted.ior = 1.33f, tinted.roughness = 0.4f;
+  b.sphere({0.45, 0, 0.5}, 0.4, 2, b.material(tinted));
   Material pane = thin_glass(1.5f, 0.2f);
   pane.base_color = rgb(0.8, 0.8, 0.5);
   pane.transmission = 0.8f;
