@@ -29,8 +29,10 @@ LightSampler::LightSampler(const Scene& scene)
       const Vec3d n = cross(to_double(e1), to_double(e2));
       const double area = 0.5 * length(n);
       if (!(area > 0.0)) continue;
-      triangles_.push_back({v, e1, e2, to_float(n / (2.0 * area)), shape.material,
-                            position_error(v, positions[b], positions[c])});
+      const float error = position_error(v, positions[b], positions[c]);
+      const float shrink = shrink_to_middle(error, std::max(max_abs(e1), max_abs(e2)));
+      triangles_.push_back({v + (e1 + e2) * (shrink / 3.0f), e1 * (1.0f - shrink), e2 * (1.0f - shrink),
+                            to_float(n / (2.0 * area)), shape.material, error});
       power.push_back(area * emitted(material));
       total += power.back();
       power_of_spectrum_[static_cast<std::size_t>(material.emission_spectrum)] += power.back();

@@ -29,6 +29,13 @@ inline float position_error(Vec3f a, Vec3f b, Vec3f c) {
   return kPositionError * std::max({max_abs(a), max_abs(b), max_abs(c)});
 }
 
+/// The share by which points of a triangle are drawn towards its middle: by more than rounding may have moved
+/// them, so that beside an edge none comes to lie behind the wall that shares it. @param edge the triangle's
+/// longest [m]
+inline float shrink_to_middle(float error, float edge) {
+  return std::min(2.0f * error / edge, 1.0f);
+}
+
 inline SurfacePoint surface_point(const Geometry& geometry, const Hit& hit) {
   const auto& triangle = geometry.triangles[hit.triangle];
   const Vec3f a = geometry.positions[triangle[0]];
@@ -39,9 +46,7 @@ inline SurfacePoint surface_point(const Geometry& geometry, const Hit& hit) {
   SurfacePoint point;
   point.geometric_normal = normalize(cross(ab / edge, ac / edge));
   point.error = position_error(a, b, c);
-  // Drawn towards the triangle's middle by more than rounding may have moved it: at an edge that a wall shares, the
-  // point must not come to lie behind the wall.
-  const float shrink = std::min(2.0f * point.error / edge, 1.0f);
+  const float shrink = shrink_to_middle(point.error, edge);
   const float u = hit.u + (1.0f / 3.0f - hit.u) * shrink, v = hit.v + (1.0f / 3.0f - hit.v) * shrink;
   point.position = a * (1.0f - u - v) + b * u + c * v;
   point.shading_normal = point.geometric_normal;

@@ -33,8 +33,8 @@ struct Vertex {
     return s;
   }
 
-  /// Whether wi is above the triangle if it is above the shading normal's plane. Light from elsewhere would leak
-  /// through the surface: Veach 1997, section 5.3.
+  /// Whether wi is above the triangle if it is above the shading normal's plane. Light from elsewhere would
+  /// leak through the surface: Veach 1997, section 5.3.
   bool sides_agree(Vec3f wi, float cos_theta) const {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
   }

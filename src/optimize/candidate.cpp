@@ -11,15 +11,13 @@ double uniform(Random& random) {
   return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-constexpr double kEnd = 0.05;
 /// log of a density that is flat between two boundaries and falls off outside.
 double soft_box(double t, double left, double right) {
-  constexpr double kFall = 30.0, kLowest = -6.0;
+  constexpr double kFall = 30.0, kLowest = -10.0;
   return std::max(kLowest, -kFall * std::max({0.0, left - t, t - right}));
 }
 
-}  // namespace
-
+/// N soft strata between the boundaries t_0 = 0 < t_1 < … < t_N = 1.
 Candidate soft_strata(const std::vector<double>& boundaries, std::vector<bool> backwards, int nodes) {
   Candidate candidate{std::move(backwards), {}};
   for (int k = 0; k < candidate.wavelengths(); ++k)
@@ -28,16 +26,24 @@ Candidate soft_strata(const std::vector<double>& boundaries, std::vector<bool> b
   return candidate;
 }
 
+}  // namespace
+
 Candidate equal_strata(int wavelengths, int least_nodes) {
-  // Whole cells for each stratum, so that all have the same shape, and half of one at either end for the ramps.
+  // Whole cells for each stratum, so that all have the same shape, and half of one at either end for the
+  // ramps.
   const int per_stratum = (least_nodes - 2 + wavelengths - 1) / wavelengths;
   const int nodes = per_stratum * wavelengths + 2;
+  // Outside its stratum a density must be next to nothing: a wavelength gone astray leaves a hole in its own.
+  // The very ends belong to the outer strata.
+  const auto floor_of = [&](int k, int b) {
+    const bool at_end = (k == 0 && b == 0) || (k == wavelengths - 1 && b == nodes - 1);
+    return at_end ? 1.0 : 1e-7;
+  };
   Candidate candidate{std::vector<bool>(wavelengths, false), {}};
   for (int k = 0; k < wavelengths; ++k)
     for (int b = 0; b < nodes; ++b) {
       const double from_left = b - (k * per_stratum + 0.5), from_right = (k + 1) * per_stratum + 0.5 - b;
-      const bool at_end = (k == 0 && b == 0) || (k == wavelengths - 1 && b == nodes - 1);
-      candidate.v.push_back(std::log(std::clamp(0.5 + std::min(from_left, from_right), at_end ? kEnd : 1e-6, 1.0)));
+      candidate.v.push_back(std::log(std::clamp(0.5 + std::min(from_left, from_right), floor_of(k, b), 1.0)));
     }
   return candidate;
 }

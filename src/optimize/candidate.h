@@ -17,11 +17,9 @@ struct Candidate {
 
 using Random = std::mt19937_64;
 
-/// N soft strata between the given boundaries t_0 = 0 < t_1 < … < t_N = 1.
-Candidate soft_strata(const std::vector<double>& boundaries, std::vector<bool> backwards, int nodes);
-
-/// N equal strata of t with edges one cell wide: the illuminant sampler, as nearly as nodes can say it.
-Candidate equal_strata(int wavelengths, int nodes);
+/// N equal strata of t with edges one cell wide: the illuminant sampler, as nearly as nodes can say it. It
+/// has `least_nodes` or some more.
+Candidate equal_strata(int wavelengths, int least_nodes);
 
 /// Soft strata between random boundaries, randomly oriented.
 Candidate random_candidate(int wavelengths, int nodes, Random& random);

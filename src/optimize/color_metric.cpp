@@ -58,7 +58,7 @@ ColorMetric color_metric(Xyz c, Xyz white) {
   return {Xyz{l[0][0], l[1][0], l[2][0]}, Xyz{0.0, l[1][1], l[2][1]}, Xyz{0.0, 0.0, l[2][2]}};
 }
 
-Xyz apply(const ColorMetric& u, Xyz d) {
+Xyz measured(const ColorMetric& u, Xyz d) {
   const auto dot = [&](Xyz row) { return row.x * d.x + row.y * d.y + row.z * d.z; };
   return {dot(u[0]), dot(u[1]), dot(u[2])};
 }

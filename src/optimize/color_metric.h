@@ -13,8 +13,8 @@ using ColorMetric = std::array<Xyz, 3>;
 /// @param white the white of CIELAB, on the scale of c
 ColorMetric color_metric(Xyz c, Xyz white);
 
-/// U δ.
-Xyz apply(const ColorMetric& u, Xyz delta);
+/// U δ: a small difference of colour, in ΔE along three axes.
+Xyz measured(const ColorMetric& u, Xyz delta);
 
 /// ΔE00 with its kink at 0 rounded off: sqrt(ΔE² + ε²) − ε with ε = 0.1, and its gradient by the sample's
 /// XYZ.

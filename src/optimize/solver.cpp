@@ -21,7 +21,7 @@
 namespace photopic {
 namespace {
 
-constexpr double kLowest = -14.0, kHighest = 5.0;  ///< bounds of v: a ratio of 1e6 between node values
+constexpr double kLowest = -18.0, kHighest = 5.0;  ///< bounds of v
 constexpr int kTargets = 48;
 constexpr unsigned kMemory = 20;  ///< steps that L-BFGS remembers; NLopt's own choice is hundreds, and slow
 
@@ -101,10 +101,13 @@ class Progress {
   double done_ = 0.0, total_;
 };
 
-int starts_for(const OptimizeOptions& options) {
+std::vector<SearchLevel> plan_for(const OptimizeOptions& options) {
   const int starts = options.effort == Effort::quick ? 64 : options.effort == Effort::normal ? 512 : 4096;
+  if (options.objective == Objective::asymptotic) return search_plan(options.wavelengths, starts);
   // A ΔE00 of its own for each stratum makes an evaluation ten times as dear.
-  return options.objective == Objective::mean_delta_e ? starts / 4 : starts;
+  std::vector<SearchLevel> plan = search_plan(options.wavelengths, starts / 4);
+  plan.back().evaluations /= 4;
+  return plan;
 }
 
 /// Every candidate has a generator of its own, so that neither the threads nor the number of starts change
@@ -165,6 +168,7 @@ void judge_baselines(WavelengthDistribution& distribution, const Targets& target
 /// The shares of sech² in the base densities that are tried. Lines ask for little of it; many wavelengths
 /// under a smooth lamp for nearly nothing else.
 std::vector<double> visible_shares(const OptimizeOptions& options) {
+  if (options.wavelengths <= 2) return {0.0, 0.3};
   return options.wavelengths <= 4 ? std::vector{0.3} : std::vector{0.3, 0.9};
 }
 
@@ -211,7 +215,7 @@ OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emission
   const auto begin = std::chrono::steady_clock::now();
 
   const Targets targets = make_targets(emissions, options);
-  const std::vector<SearchLevel> plan = search_plan(options.wavelengths, starts_for(options));
+  const std::vector<SearchLevel> plan = plan_for(options);
   const std::vector<double> shares = visible_shares(options);
   Progress progress(report, plan, shares.size());
 

@@ -11,7 +11,7 @@
 
 namespace photopic {
 
-/// How many starts the search makes. At 4 wavelengths about 0.1, 0.5 and 4 seconds of one processor core.
+/// How many starts the search makes. At 4 wavelengths about 0.2, 0.8 and 6 seconds of one processor core.
 enum class Effort { quick, normal, thorough };
 
 struct OptimizeOptions {

@@ -86,7 +86,7 @@ TargetTable make_table(std::span<const Row> rows) {
 /// The rows of U·(X, Y, Z): in ΔE.
 void to_metric(std::array<Row, 3>& rows, const ColorMetric& metric) {
   for (int i = 0; i <= kCells; ++i) {
-    const Xyz scaled = apply(metric, {rows[0][i], rows[1][i], rows[2][i]});
+    const Xyz scaled = measured(metric, {rows[0][i], rows[1][i], rows[2][i]});
     rows[0][i] = scaled.x, rows[1][i] = scaled.y, rows[2][i] = scaled.z;
   }
 }

@@ -23,9 +23,9 @@ class ComposedDensity {
   Draw draw(double u) const;  ///< u in [0, 1]
 
  private:
-  /// From u on: t is linear-density q + q_slope·dt there, λ likewise with b.
+  /// From u on, where t = t_0 + dt and λ = lambda + dλ, the densities are q + q_slope·dt and b + b_slope·dλ.
   struct alignas(64) Piece {
-    double u, q, q_slope, lambda, b, b_slope, sum, sum_slope;
+    double u = 0, q = 0, q_slope = 0, lambda = 0, b = 0, b_slope = 0, sum = 0, sum_slope = 0;
   };
   void add_pieces(const PiecewiseLinearDensity& base, std::size_t knot, const PiecewiseLinearDensity& q,
                   const std::vector<double>& q_sum);

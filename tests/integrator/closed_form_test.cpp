@@ -29,7 +29,8 @@ void expect_xyz(const RenderResult& result, const Xyz& expected, std::size_t tes
     // Single precision and tabulated spectra: a small error of the expectation itself.
     const double z = z_score(seen[i], {values[i], tolerance * values[i]});
     EXPECT_LT(std::abs(z), normal_threshold(sidak_significance(0.01, 3 * tests)))
-        << what << " channel " << i << ": " << seen[i].mean << " ± " << seen[i].error << ", expected " << values[i];
+        << what << " channel " << i << ": " << seen[i].mean << " ± " << seen[i].error << ", expected "
+        << values[i];
     EXPECT_LT(seen[i].error, 0.03 * values[i]) << what << " channel " << i;
   }
 }
@@ -47,12 +48,15 @@ double form_factor(double a, double b, double h) {
   return 4.0 / (2.0 * kPiD) * (x / rx * std::atan(y / rx) + y / ry * std::atan(x / ry));
 }
 
-/// Whatever the lamp and the sampler, a lamp of luminance L reads Y = L, and X and Z as its spectrum has them.
+/// Whatever the lamp and the sampler, a lamp of luminance L reads Y = L, and X and Z as its spectrum has
+/// them.
 TEST(ClosedForm, VisibleEmitter) {
   const Spectrum amber = tabulate_product(upsample_reflectance({0.9, 0.4, 0.1}), d65());
-  const std::vector<std::pair<std::string, Spectrum>> lamps{
-      {"FL11", fl11()}, {"D65", d65()}, {"2700 K", BlackbodySpectrum{2700}}, {"RGB", amber},
-      {"line", LineSpectrum{560, 1}}};
+  const std::vector<std::pair<std::string, Spectrum>> lamps{{"FL11", fl11()},
+                                                            {"D65", d65()},
+                                                            {"2700 K", BlackbodySpectrum{2700}},
+                                                            {"RGB", amber},
+                                                            {"line", LineSpectrum{560, 1}}};
   for (const auto& [name, lamp] : lamps) {
     SceneBuilder b;
     b.floor({0, 0, 0}, 1, 1, b.lamp(lamp, 7.0));
@@ -118,7 +122,8 @@ TEST(ClosedForm, LampInAMirror) {
   b.camera({0, 0, 1}, {0, 0, 0}, 0.05, 8, 8);
   const PreparedScene scene(b.build());
   for (const WavelengthSampler& s : all_samplers(scene_emission(scene)))
-    expect_xyz(render(scene, s, options(1000, 2)), xyz_of(d65(), 3.0, gold), 4, std::string(sampler_name(s)), 2e-4);
+    expect_xyz(render(scene, s, options(1000, 2)), xyz_of(d65(), 3.0, gold), 4, std::string(sampler_name(s)),
+               2e-4);
 }
 
 /// What a slab of glass lets through: Airy's sum without interference, T = (1 − F)²τ / (1 − F²τ²).
@@ -164,8 +169,8 @@ TEST(ClosedForm, ThinPane) {
   b.floor({0, 0, 0}, 1, 1, b.material(pane));
   b.camera({0, 0, 1}, {0, 0, 0}, 0.05, 8, 8);
   const PreparedScene scene(b.build());
-  expect_xyz(render(scene, UniformWavelengths{4}, options(1000, 4)), xyz_of(d65(), 5.0, tint) * (1 - 0.08 / 1.04), 1,
-             "pane", 2e-4);
+  expect_xyz(render(scene, UniformWavelengths{4}, options(1000, 4)),
+             xyz_of(d65(), 5.0, tint) * (1 - 0.08 / 1.04), 1, "pane", 2e-4);
 }
 
 }  // namespace

@@ -48,7 +48,8 @@ TEST(Determinism, SamplesDoNotDependOnTheirNumber) {
                      more = render(scene, UniformWavelengths{4}, {.spp = 2});
   // Two samples a and b: mean m, variance of the mean v = (a − b)²/4, so a is m ± √v.
   for (std::size_t i = 0; i < 64; ++i) {
-    const double a = few.film.mean(i).y, m = more.film.mean(i).y, s = std::sqrt(more.film.variance_of_mean(i).y);
+    const double a = few.film.mean(i).y, m = more.film.mean(i).y,
+                 s = std::sqrt(more.film.variance_of_mean(i).y);
     EXPECT_NEAR(std::min(std::abs(a - m - s), std::abs(a - m + s)), 0.0, 1e-6 * (1.0 + std::abs(a)));
   }
 }
@@ -59,10 +60,14 @@ TEST(Determinism, WavelengthCountsAgree) {
   const int counts[] = {1, 4, 8, 16};
   std::vector<std::vector<Estimate>> seen;
   for (int i = 0; i < 4; ++i)
-    for (const WavelengthSampler& s : {WavelengthSampler(UniformWavelengths{counts[i]}),
-                                       WavelengthSampler(IlluminantWavelengths{counts[i], base_density(emission)})}) {
-      const RenderResult r = render(scene, s, {.spp = 300, .sequence = Sequence::independent,
-                                               .seed = static_cast<std::uint32_t>(seen.size()), .max_depth = 6});
+    for (const WavelengthSampler& s :
+         {WavelengthSampler(UniformWavelengths{counts[i]}),
+          WavelengthSampler(IlluminantWavelengths{counts[i], base_density(emission)})}) {
+      const RenderResult r = render(scene, s,
+                                    {.spp = 300,
+                                     .sequence = Sequence::independent,
+                                     .seed = static_cast<std::uint32_t>(seen.size()),
+                                     .max_depth = 6});
       seen.push_back(quarter_estimates(r.film));
     }
   const double threshold = normal_threshold(sidak_significance(0.01, 7 * seen[0].size()));

@@ -58,8 +58,8 @@ TEST(Furnace, SmoothSpheres) {
   }
 }
 
-/// Rough glass as one bounce off the microsurface has it: darker, never brighter. (Measured at roughness 1, where a
-/// path crosses several walls: a solid box keeps 35 %, a hollow one 16 %.)
+/// Rough glass as one bounce off the microsurface has it: darker, never brighter. (Measured at roughness 1,
+/// where a path crosses several walls: a solid box keeps 35 %, a hollow one 16 %.)
 TEST(Furnace, RoughGlassGainsNothing) {
   for (float roughness : {0.1f, 0.4f, 1.0f})
     for (bool solid : {true, false}) {

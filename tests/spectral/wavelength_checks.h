@@ -29,11 +29,20 @@ inline Xyz mean_estimate(const WavelengthSampler& sampler, const TabulatedSpectr
     for (std::size_t j = 0; j < count; ++j)
       mean += Observer::cie1931()(lambda[j]) * (weight * emission(lambda[j]) / sum[j]);
   };
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double middle = 0.5 * (ends[i] + ends[i + 1]), half = 0.5 * (ends[i + 1] - ends[i]);
+  const auto add_piece = [&](double from, double to) {
+    const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
     add(middle, half * kWeight[0]);
     for (const int p : {1, 2})
       for (const double side : {-1.0, 1.0}) add(middle + side * half * kPoint[p], half * kWeight[p]);
+  };
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    // λ(u) runs like a root where its density begins low: finer towards both ends.
+    const double width = ends[i + 1] - ends[i];
+    double from = 0.0;
+    for (const double to : {1e-5, 1e-3, 0.01, 0.1, 0.4, 0.6, 0.9, 0.99, 0.999, 0.99999, 1.0}) {
+      add_piece(ends[i] + from * width, ends[i] + to * width);
+      from = to;
+    }
   }
   return mean * (1.0 / Observer::cie1931().y_integral());
 }

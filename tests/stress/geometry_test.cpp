@@ -45,12 +45,12 @@ TEST(Geometry, SliversAsLamps) {
   render_finite(b, 100, 8);
 }
 
-/// A camera in a closed box that stands in, or beside, a bright room sees nothing: not a sample leaks through edges,
-/// corners or smooth normals.
+/// A camera in a closed box that stands in, or beside, a bright room sees nothing: not a sample leaks through
+/// edges, corners or smooth normals.
 TEST(Geometry, NoLightLeaksIntoAClosedBox) {
   const auto expect_dark = [](SceneBuilder& b, const std::string& what) {
-    for (const auto& [scale, offset] : {std::pair{1.0, Vec3d{}}, {1e-3, Vec3d{}}, {1e4, Vec3d{}},
-                                        {1.0, Vec3d{1000, 1000, -1000}}}) {
+    for (const auto& [scale, offset] :
+         {std::pair{1.0, Vec3d{}}, {1e-3, Vec3d{}}, {1e4, Vec3d{}}, {1.0, Vec3d{1000, 1000, -1000}}}) {
       SceneBuilder placed = b;
       if (scale != 1.0) placed.turn({1, 2, 3}, 0.6);
       const Film film = render_finite(placed.place(scale, offset), 60, 20);
@@ -90,7 +90,8 @@ TEST(Geometry, CoarseSmoothSpheres) {
 TEST(Geometry, RaysAlongEdges) {
   SceneBuilder b = lamp_room(d65(), 16);
   b.box({-0.5, -0.5, 0.5}, {0.5, 0.5, 1.0}, b.material(diffuse(ConstantSpectrum{0.5})));
-  for (const Vec3d& eye : {Vec3d{-0.5, -0.9, 1.0}, Vec3d{0.5, -0.9, 0.5}, Vec3d{0, -0.9, 1.0}, Vec3d{0.9, 0.9, 1.0}}) {
+  for (const Vec3d& eye :
+       {Vec3d{-0.5, -0.9, 1.0}, Vec3d{0.5, -0.9, 0.5}, Vec3d{0, -0.9, 1.0}, Vec3d{0.9, 0.9, 1.0}}) {
     b.camera(eye, {eye.x, 1, eye.z}, 0.001, 5, 5);
     render_finite(b, 50, 5);
   }

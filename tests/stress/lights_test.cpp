@@ -19,10 +19,11 @@ SceneBuilder floor_scene(double albedo, Vec3d camera = {-1, 0, 1}) {
   return b;
 }
 
-/// Lines of a hundredth of a nanometre beside daylight and beside each other: each is as bright as it should be, and
-/// together they light a floor in proportion.
+/// Lines of a hundredth of a nanometre beside daylight and beside each other: each is as bright as it should
+/// be, and together they light a floor in proportion.
 TEST(Lights, NarrowLines) {
-  const std::vector<Spectrum> lamps{LineSpectrum{532, 0.01}, LineSpectrum{633, 0.01}, LineSpectrum{436, 0.001}, d65()};
+  const std::vector<Spectrum> lamps{LineSpectrum{532, 0.01}, LineSpectrum{633, 0.01},
+                                    LineSpectrum{436, 0.001}, d65()};
   SceneBuilder b = floor_scene(0.5);
   for (std::size_t i = 0; i < lamps.size(); ++i)
     b.ceiling({0.1 * (static_cast<double>(i) - 1.5), 0, 20}, 0.04, 0.04, b.lamp(lamps[i], 1e5));

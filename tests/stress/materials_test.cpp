@@ -16,7 +16,8 @@ SceneBuilder furnace(const Material& m) {
   return b;
 }
 
-/// Opaque white stays white in a furnace through the whole range of roughness, the change to a mirror included.
+/// Opaque white stays white in a furnace through the whole range of roughness, the change to a mirror
+/// included.
 TEST(Materials, RoughnessInFineSteps) {
   std::vector<float> steps{1e-6f, 1e-3f, 0.01f, 0.03f, 0.0316f, 0.0317f, 0.032f};
   for (int i = 0; i <= 40; ++i) steps.push_back(static_cast<float>(i) / 40);
@@ -26,7 +27,8 @@ TEST(Materials, RoughnessInFineSteps) {
     expect_luminance(render_finite(furnace(plastic(ConstantSpectrum{1.0}, roughness)), 60), 3.0,
                      "plastic " + std::to_string(roughness), 0.006);
     for (bool thin : {false, true}) {
-      const Film film = render_finite(furnace(thin ? thin_glass(1.5f, roughness) : solid_glass(1.5f, roughness)), 60, 60);
+      const Film film =
+          render_finite(furnace(thin ? thin_glass(1.5f, roughness) : solid_glass(1.5f, roughness)), 60, 60);
       const Estimate e = luminance(film);
       EXPECT_LT(e.mean, 3.0 + 4.5 * e.error) << roughness;
       EXPECT_GT(e.mean, roughness < 0.05f ? 3.0 * 0.995 - 4.5 * e.error : 0.0) << roughness;
@@ -36,8 +38,10 @@ TEST(Materials, RoughnessInFineSteps) {
 
 TEST(Materials, IndicesOfRefraction) {
   for (float ior : {1.0f, 1.0f + 1e-6f, 1.00005f, 1.0002f, 1.01f, 1.5f, 4.0f}) {
-    expect_luminance(render_finite(furnace(solid_glass(ior, 0.0f)), 60, 500), 3.0, "glass " + std::to_string(ior), 1e-3);
-    expect_luminance(render_finite(furnace(thin_glass(ior, 0.0f)), 60, 500), 3.0, "pane " + std::to_string(ior), 1e-3);
+    expect_luminance(render_finite(furnace(solid_glass(ior, 0.0f)), 60, 500), 3.0,
+                     "glass " + std::to_string(ior), 1e-3);
+    expect_luminance(render_finite(furnace(thin_glass(ior, 0.0f)), 60, 500), 3.0,
+                     "pane " + std::to_string(ior), 1e-3);
     expect_luminance(render_finite(furnace(plastic(ConstantSpectrum{1.0}, 0.5f, ior)), 60), 3.0,
                      "plastic " + std::to_string(ior), 0.006);
     for (float roughness : {0.04f, 0.2f, 1.0f}) {
@@ -47,7 +51,8 @@ TEST(Materials, IndicesOfRefraction) {
   }
 }
 
-/// Almost no change of index is almost no surface: what rough glass scatters tends to what passes straight on.
+/// Almost no change of index is almost no surface: what rough glass scatters tends to what passes straight
+/// on.
 TEST(Materials, RoughGlassTendsToAir) {
   for (float ior : {1.0001f, 1.001f, 1.01f})
     for (double cos_theta : {0.9, -0.9}) {
@@ -74,8 +79,8 @@ TEST(Materials, ThousandBouncesInAWhiteBox) {
   expect_luminance(render_finite(b, 16, 1000), 1000.0, "white box", 2e-3);
 }
 
-/// A lamp in a white box of metal and glass, the limit far away: finite, and no brighter than the lamp (each radiance
-/// is a mean of lamp radiances).
+/// A lamp in a white box of metal and glass, the limit far away: finite, and no brighter than the lamp (each
+/// radiance is a mean of lamp radiances).
 TEST(Materials, DeepPathsInAMirroredBox) {
   SceneBuilder b;
   b.box({-1, -1, -1}, {1, 1, 1}, b.material(metal(ConstantSpectrum{0.999}, 0.0f)), true);
@@ -89,7 +94,8 @@ TEST(Materials, DeepPathsInAMirroredBox) {
 /// Extremes of what a file may say: black, strong absorption, strange mixes.
 TEST(Materials, Extremes) {
   std::vector<Material> odd{metal(ConstantSpectrum{0.0}, 0.0f), plastic(ConstantSpectrum{0.0}, 1.0f),
-                            plastic(ConstantSpectrum{1.0}, 0.3f, 0.0f), solid_glass(0.0f, 0.0f), solid_glass(0.0f, 0.5f)};
+                            plastic(ConstantSpectrum{1.0}, 0.3f, 0.0f), solid_glass(0.0f, 0.0f),
+                            solid_glass(0.0f, 0.5f)};
   Material ink = solid_glass(1.5f, 0.2f);
   ink.attenuation_color = ConstantSpectrum{0.0};
   ink.attenuation_distance = 1e-6f;

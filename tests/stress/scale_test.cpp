@@ -25,7 +25,8 @@ TEST(Scale, ImageDoesNotDependOnUnits) {
   const double scales[] = {1e-4, 1e-3, 1e-2, 1e2, 1e4, 1e6};
   for (double scale : scales) {
     SceneBuilder b = mixed_room();
-    expect_same_image(reference, render_finite(b.place(scale), kSpp), std::size(scales), std::to_string(scale));
+    expect_same_image(reference, render_finite(b.place(scale), kSpp), std::size(scales),
+                      std::to_string(scale));
   }
 }
 
@@ -71,7 +72,8 @@ TEST(Scale, Luminances) {
     return luminance > 0 ? render_finite(PreparedScene(scene), 30) : Film(1, 1);
   };
   const double reference = luminance(lit(1.0)).mean;
-  for (double l : {1e-8, 1e-4, 1e4, 1e8, 1e12}) EXPECT_NEAR(luminance(lit(l)).mean / l, reference, 1e-4 * reference) << l;
+  for (double l : {1e-8, 1e-4, 1e4, 1e8, 1e12})
+    EXPECT_NEAR(luminance(lit(l)).mean / l, reference, 1e-4 * reference) << l;
 }
 
 }  // namespace

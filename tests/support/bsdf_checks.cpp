@@ -12,8 +12,12 @@ namespace {
 
 using Value = LocalBsdf::Value;
 
-Value operator+(Value a, Value b) { return {a.f_cos + b.f_cos, a.pdf + b.pdf}; }
-Value operator*(Value a, double s) { return {a.f_cos * s, a.pdf * s}; }
+Value operator+(Value a, Value b) {
+  return {a.f_cos + b.f_cos, a.pdf + b.pdf};
+}
+Value operator*(Value a, double s) {
+  return {a.f_cos * s, a.pdf * s};
+}
 
 template <typename Bsdf>
 LocalBsdf wrap(const Material& material) {
@@ -63,7 +67,9 @@ Value adaptive(const F& f, Value whole, double x0, double x1, double y0, double 
          adaptive(f, c, x0, x, y, y1, depth + 1) + adaptive(f, d, x, x1, y, y1, depth + 1);
 }
 
-double cube(double x) { return x * x * x; }
+double cube(double x) {
+  return x * x * x;
+}
 
 }  // namespace
 
@@ -107,7 +113,8 @@ std::vector<Value> SphereCells::integrate(const SphereFunction& f) const {
   for (int r = 0; r < kRings; ++r)
     for (int s = 0; s < kSectors; ++s) {
       const double x0 = static_cast<double>(r) / kRings, x1 = static_cast<double>(r + 1) / kRings;
-      const double y0 = static_cast<double>(s) / kSectors - 0.5, y1 = static_cast<double>(s + 1) / kSectors - 0.5;
+      const double y0 = static_cast<double>(s) / kSectors - 0.5,
+                   y1 = static_cast<double>(s + 1) / kSectors - 0.5;
       cells.push_back(adaptive(integrand, quadrature(integrand, x0, x1, y0, y1), x0, x1, y0, y1, 0));
     }
   return cells;

@@ -3,8 +3,8 @@
 #include <functional>
 #include <optional>
 
-#include "core/scene.h"
 #include "core/sample_sequence.h"
+#include "core/scene.h"
 #include "support/statistics.h"
 
 namespace photopic::test {

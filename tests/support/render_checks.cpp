@@ -6,8 +6,8 @@ namespace photopic::test {
 
 Film render_finite(const PreparedScene& scene, int spp, int max_depth, std::uint32_t seed) {
   const IlluminantWavelengths sampler{4, base_density(scene_emission(scene))};
-  RenderResult r = render(scene, sampler,
-                          {.spp = spp, .sequence = Sequence::independent, .seed = seed, .max_depth = max_depth});
+  RenderResult r = render(
+      scene, sampler, {.spp = spp, .sequence = Sequence::independent, .seed = seed, .max_depth = max_depth});
   EXPECT_EQ(r.stats.non_finite, 0u);
   return std::move(r.film);
 }
@@ -16,7 +16,9 @@ Film render_finite(const SceneBuilder& builder, int spp, int max_depth, std::uin
   return render_finite(PreparedScene(builder.build()), spp, max_depth, seed);
 }
 
-Estimate luminance(const Film& film) { return image_estimates(film)[1]; }
+Estimate luminance(const Film& film) {
+  return image_estimates(film)[1];
+}
 
 void expect_same_image(const Film& a, const Film& b, std::size_t tests, const std::string& what) {
   const std::vector<Estimate> p = quarter_estimates(a), q = quarter_estimates(b);

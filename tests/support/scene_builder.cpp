@@ -68,7 +68,8 @@ void SceneBuilder::ceiling(Vec3d p, double hx, double hy, std::uint32_t material
 
 void SceneBuilder::box(Vec3d low, Vec3d high, std::uint32_t material, bool inwards) {
   // Corner i has the high x, y, z where bits 0, 1, 2 are set; each face counter-clockwise from outside.
-  constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  constexpr int kFaces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   const auto corner = [&](int i) {
     return Vec3d{i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
   };
@@ -79,17 +80,19 @@ void SceneBuilder::box(Vec3d low, Vec3d high, std::uint32_t material, bool inwar
 void SceneBuilder::sphere(Vec3d centre, double radius, int levels, std::uint32_t material, bool smooth) {
   begin_shape(material);
   const double g = std::numbers::phi;
-  const Vec3d corners[12] = {{-1, g, 0}, {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+  const Vec3d corners[12] = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
                              {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
   std::vector<std::array<std::uint32_t, 3>> faces = {
-      {0, 11, 5}, {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-      {3, 9, 4},  {3, 4, 2}, {3, 2, 6}, {3, 6, 8},  {3, 8, 9},   {4, 9, 5}, {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+      {0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+      {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+      {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   std::vector<Vec3d> points;
   for (const Vec3d& c : corners) points.push_back(normalize(c));
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [it, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(points.size()));
+      const auto [it, fresh] =
+          middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(points.size()));
       if (fresh) points.push_back(normalize(points[a] + points[b]));
       return it->second;
     };
@@ -132,7 +135,8 @@ SceneBuilder& SceneBuilder::turn(Vec3d axis, double radians) {
   for (Vec3f& n : scene_.geometry.normals) n = turned_float(n);
   Camera& camera = scene_.camera;
   camera_ = turned(camera_);
-  camera.right = turned_float(camera.right), camera.up = turned_float(camera.up), camera.back = turned_float(camera.back);
+  camera.right = turned_float(camera.right), camera.up = turned_float(camera.up),
+  camera.back = turned_float(camera.back);
   return *this;
 }
 

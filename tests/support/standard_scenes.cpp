@@ -5,12 +5,18 @@
 namespace photopic::test {
 namespace {
 
-Spectrum rgb(double r, double g, double b) { return upsample_reflectance({r, g, b}); }
+Spectrum rgb(double r, double g, double b) {
+  return upsample_reflectance({r, g, b});
+}
 
 }  // namespace
 
-Spectrum fl11() { return cie_illuminant("FL11").value(); }
-Spectrum d65() { return cie_illuminant("D65").value(); }
+Spectrum fl11() {
+  return cie_illuminant("FL11").value();
+}
+Spectrum d65() {
+  return cie_illuminant("D65").value();
+}
 
 SceneBuilder lamp_room(const Spectrum& lamp, int resolution) {
   SceneBuilder b;

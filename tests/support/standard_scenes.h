@@ -17,8 +17,8 @@ Spectrum d65();
 /// inside; nothing stands in it yet.
 SceneBuilder lamp_room(const Spectrum& lamp, int resolution = 16);
 
-/// The room with a glowing box and a sphere of plain diffuse; with metal, plastic and a lamp of two sides; with smooth
-/// and rough glass that absorbs.
+/// The room with a glowing box and a sphere of plain diffuse; with metal, plastic and a lamp of two sides;
+/// with smooth and rough glass that absorbs.
 SceneBuilder diffuse_room(int resolution = 16);
 SceneBuilder glossy_room(int resolution = 16);
 SceneBuilder glass_room(int resolution = 16);

@@ -77,7 +77,8 @@ double normal_threshold(double significance) {
 double z_score(Estimate a, Estimate b) {
   const double difference = a.mean - b.mean, error = std::hypot(a.error, b.error);
   if (difference == 0.0) return 0.0;
-  return error > 0.0 ? difference / error : std::copysign(std::numeric_limits<double>::infinity(), difference);
+  return error > 0.0 ? difference / error
+                     : std::copysign(std::numeric_limits<double>::infinity(), difference);
 }
 
 std::vector<Estimate> block_estimates(const Film& film, int x0, int y0, int x1, int y1) {

@@ -12,8 +12,8 @@ namespace photopic::test {
 /// @param observed counts @param expected mean counts, as many; both have the same total
 double chi_square_p_value(std::span<const double> observed, std::span<const double> expected);
 
-/// Upper tail of the chi-square distribution: Q(dof/2, x/2), the regularised incomplete gamma function (series
-/// and continued fraction; Abramowitz & Stegun 1964, 6.5.29 and 6.5.31).
+/// Upper tail of the chi-square distribution: Q(dof/2, x/2), the regularised incomplete gamma function
+/// (series and continued fraction; Abramowitz & Stegun 1964, 6.5.29 and 6.5.31).
 double chi_square_tail(double x, double degrees_of_freedom);
 
 /// The significance that each of n tests may have so that all of them together have `family`: Šidák 1967.

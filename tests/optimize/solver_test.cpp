@@ -1,0 +1,186 @@
+#include "optimize/solver.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "optimize/target_table.h"
+#include "spectral/color_difference.h"
+#include "spectral/illuminants.h"
+#include "spectral/observer.h"
+#include "spectral/wavelength_checks.h"
+
+namespace photopic {
+namespace {
+
+OptimizeResult quick(const TabulatedSpectrum& emission, int wavelengths = 4,
+                     Objective objective = Objective::asymptotic) {
+  OptimizeOptions options;
+  options.wavelengths = wavelengths;
+  options.objective = objective;
+  options.effort = Effort::quick;
+  return optimize_distribution(emission, options);
+}
+
+/// Reflectances of another family than the targets: edges and bands with corners, as wide as those of paints.
+std::vector<Spectrum> held_back_reflectances() {
+  std::vector<Spectrum> set{ConstantSpectrum{0.2}};
+  for (double nm = 450.0; nm < 680.0; nm += 30.0) {
+    set.push_back(TabulatedSpectrum({nm - 50.0, nm + 50.0}, {0.1, 0.7}, Beyond::end_value));
+    set.push_back(TabulatedSpectrum({nm - 50.0, nm + 50.0}, {0.6, 0.2}, Beyond::end_value));
+    set.push_back(TabulatedSpectrum({nm - 80.0, nm, nm + 80.0}, {0.1, 0.5, 0.1}, Beyond::end_value));
+  }
+  return set;
+}
+
+/// The mean ΔE00 of the mean of 64 independent paths, by simulation.
+double simulated_delta_e(const WavelengthSampler& sampler, const TabulatedSpectrum& emission) {
+  constexpr int kPaths = 64, kTrials = 60;
+  const Emitter emitter = make_emitter(emission);
+  const std::vector<Spectrum> reflectances = held_back_reflectances();
+  std::vector<Lab> exact;
+  for (const Spectrum& reflectance : reflectances)
+    exact.push_back(
+        xyz_to_lab(emission_xyz(tabulate_product(emitter.emission, reflectance), Observer::cie1931()) *
+                       (Observer::cie1931().y_integral() * emitter.scale),
+                   d65_white()));
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform;
+  double sum = 0.0;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    std::vector<Xyz> mean(reflectances.size());
+    for (int path = 0; path < kPaths; ++path) {
+      const auto drawn = sample_wavelengths<4>(sampler, uniform(random));
+      for (int j = 0; j < 4; ++j) {
+        const double weight =
+            emitter.scale * emitter.emission(drawn.lambda[j]) / (drawn.density_sum[j] * kPaths);
+        const Xyz white = Observer::cie1931()(drawn.lambda[j]) * weight;
+        for (std::size_t m = 0; m < mean.size(); ++m)
+          mean[m] += white * evaluate(reflectances[m], drawn.lambda[j]);
+      }
+    }
+    for (std::size_t m = 0; m < mean.size(); ++m)
+      sum += delta_e_2000(exact[m], xyz_to_lab(mean[m], d65_white()));
+  }
+  return sum / (kTrials * static_cast<double>(reflectances.size()));
+}
+
+class Lamps : public testing::TestWithParam<const char*> {};
+
+TEST_P(Lamps, BeatTheBaselinesByObjectiveAndBySimulation) {
+  const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant(GetParam()));
+  const OptimizeResult result = quick(emission);
+  const WavelengthDistribution& found = result.distribution;
+  EXPECT_LT(found.value, 0.5 * std::min({found.uniform_value, found.visible_value, found.illuminant_value}));
+  EXPECT_LE(found.value, result.initial.value);
+  EXPECT_FALSE(result.solver_failed) << result.solver_note;
+
+  const double optimized = simulated_delta_e(OptimizedWavelengths(found), emission);
+  EXPECT_LT(optimized, simulated_delta_e(UniformWavelengths{4}, emission) / 5.0);
+  EXPECT_LT(optimized, simulated_delta_e(VisibleWavelengths{4}, emission) / 1.5);
+  EXPECT_LT(optimized, simulated_delta_e(IlluminantWavelengths{4, base_density(emission)}, emission) / 1.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cie, Lamps, testing::Values("A", "FL11", "HP1", "LED-B3"));
+
+TEST(Solver, MeanDeltaEBeatsTheBaselinesToo) {
+  const OptimizeResult result = quick(tabulate_emission(*cie_illuminant("FL11")), 4, Objective::mean_delta_e);
+  const WavelengthDistribution& found = result.distribution;
+  EXPECT_EQ(found.objective, "mean-delta-e");
+  EXPECT_LT(found.value, 0.3 * std::min({found.uniform_value, found.visible_value, found.illuminant_value}));
+}
+
+TEST(Solver, AnswersAlikeOnAnyNumberOfThreads) {
+  const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("FL2"));
+  const auto with_threads = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return quick(emission);
+  };
+  const OptimizeResult one = with_threads(1), many = with_threads(4);
+  EXPECT_EQ(one.evaluations, many.evaluations);
+  EXPECT_EQ(one.distribution.value, many.distribution.value);
+  ASSERT_EQ(one.distribution.components.size(), many.distribution.components.size());
+  for (std::size_t k = 0; k < one.distribution.components.size(); ++k) {
+    EXPECT_EQ(one.distribution.components[k].nodes, many.distribution.components[k].nodes);
+    EXPECT_EQ(one.distribution.components[k].backwards, many.distribution.components[k].backwards);
+  }
+}
+
+TEST(Solver, ServesEveryNumberOfWavelengths) {
+  const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("D65"));
+  double previous = 1e9;
+  for (const int count : {1, 2, 3, 4, 8, 16}) {
+    const WavelengthDistribution found = quick(emission, count).distribution;
+    ASSERT_EQ(static_cast<int>(found.components.size()), count);
+    EXPECT_LT(found.value, previous) << "more wavelengths, less noise";
+    EXPECT_LT(found.value, std::min({found.uniform_value, found.visible_value, found.illuminant_value}))
+        << count;
+    previous = found.value;
+  }
+}
+
+TEST(Solver, SurvivesHardLamps) {
+  for (const auto& [name, emission] : test::hard_lamps()) {
+    const WavelengthDistribution found = quick(emission).distribution;
+    EXPECT_TRUE(std::isfinite(found.value)) << name;
+    for (const double baseline : {found.uniform_value, found.visible_value, found.illuminant_value}) {
+      EXPECT_TRUE(std::isfinite(baseline)) << name;
+      EXPECT_LE(found.value, baseline) << name;
+    }
+    const Xyz mean = test::mean_estimate(OptimizedWavelengths(found), emission);
+    const Xyz exact = emission_xyz(emission, Observer::cie1931());
+    EXPECT_NEAR(mean.x / exact.x, 1.0, 1e-5) << name;
+    EXPECT_NEAR(mean.y / exact.y, 1.0, 1e-5) << name;
+    EXPECT_NEAR(mean.z / exact.z, 1.0, 1e-5) << name;
+  }
+}
+
+TEST(Solver, ScaleOfTheLampDoesNotMatter) {
+  const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("FL1"));
+  const double value = quick(emission).distribution.value;
+  EXPECT_NEAR(quick(emission.scaled(0x1p-90)).distribution.value, value, 1e-6 * value);
+}
+
+TEST(Solver, SeveralLampsAreServedTogether) {
+  const std::vector<TabulatedSpectrum> lamps{tabulate_emission(*cie_illuminant("LED-B3")),
+                                             tabulate_emission(*cie_illuminant("FL11"))};
+  OptimizeOptions options;
+  options.effort = Effort::quick;
+  const WavelengthDistribution found = optimize_distribution(lamps, options).distribution;
+  double optimized = 0.0, uniform = 0.0, visible = 0.0;
+  for (const TabulatedSpectrum& lamp : lamps) {
+    optimized += simulated_delta_e(OptimizedWavelengths(found), lamp);
+    uniform += simulated_delta_e(UniformWavelengths{4}, lamp);
+    visible += simulated_delta_e(VisibleWavelengths{4}, lamp);
+  }
+  EXPECT_LT(optimized, uniform / 3.0);
+  EXPECT_LT(optimized, visible / 1.5);
+}
+
+TEST(Solver, RefusesWhatCannotBeDone) {
+  const TabulatedSpectrum dark({400.0, 700.0}, {0.0, 0.0}, Beyond::zero);
+  EXPECT_THROW(quick(dark), std::invalid_argument);
+  const TabulatedSpectrum light({400.0, 700.0}, {1.0, 1.0}, Beyond::zero);
+  EXPECT_THROW(quick(light, 0), std::invalid_argument);
+  EXPECT_THROW(quick(light, 17), std::invalid_argument);
+  EXPECT_THROW(optimize_distribution(std::span<const TabulatedSpectrum>{}, {}), std::invalid_argument);
+}
+
+TEST(Solver, ReportsProgressUpToTheEnd) {
+  OptimizeOptions options;
+  options.effort = Effort::quick;
+  double last = 0.0;
+  bool rising = true;
+  optimize_distribution(tabulate_emission(*cie_illuminant("E")), options, [&](double fraction) {
+    rising = rising && fraction >= last;
+    last = fraction;
+  });
+  EXPECT_TRUE(rising);
+  EXPECT_NEAR(last, 1.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace photopic
