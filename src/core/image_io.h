@@ -13,17 +13,23 @@ struct Image {
   std::vector<float> pixels;  ///< 3·width·height
 
   Image() = default;
-  Image(int w, int h) : width(w), height(h), pixels(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
-  float* at(int x, int y) { return &pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))]; }
+  Image(int w, int h)
+      : width(w), height(h), pixels(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+  float* at(int x, int y) {
+    return &pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(x))];
+  }
   const float* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
 };
 
 using Metadata = std::map<std::string, std::string>;
 
-/// Writes a linear image by the file's ending: .exr and .hdr as floats with metadata, .png and .jpg sRGB-encoded after
-/// an exposure of `exposure_ev` stops. Written to a temporary name first: a failure leaves no half file.
+/// Writes a linear image by the file's ending: .exr and .hdr as floats with metadata, .png and .jpg
+/// sRGB-encoded after an exposure of `exposure_ev` stops. Written to a temporary name first: a failure leaves
+/// no half file.
 /// @throws InputError when the ending is not known or the file cannot be written
-void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata = {}, double exposure_ev = 0.0);
+void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata = {},
+                 double exposure_ev = 0.0);
 
 /// Reads a linear image (RGB or more channels, the first three); 8-bit files are sRGB-decoded.
 /// @throws InputError when there is no such file, it is no image, or it is absurdly large

@@ -8,11 +8,12 @@
 
 namespace photopic {
 
-/// A progress line on stderr: percentage, samples/s and time left; redrawn in place on a terminal, a plain line every few
-/// seconds when piped, nothing when quiet. Any thread may advance it.
+/// A progress line on stderr: percentage, samples/s and time left; redrawn in place on a terminal, a plain
+/// line every few seconds when piped, nothing when quiet. Any thread may advance it.
 class Progress {
  public:
-  /// @param label what is under way; @param total units of work; @param unit "samples"; empty: no rate is shown
+  /// @param label what is under way; @param total units of work; @param unit "samples"; empty: no rate is
+  /// shown
   Progress(std::string label, std::uint64_t total, std::string unit, bool quiet);
   ~Progress();
   Progress(const Progress&) = delete;
