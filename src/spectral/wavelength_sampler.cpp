@@ -110,52 +110,57 @@ std::vector<double> raw_breakpoints(const OptimizedWavelengths& s, std::span<con
   return s.breakpoints(knots);
 }
 
-}  // namespace
-
-OptimizedWavelengths::OptimizedWavelengths(const WavelengthDistribution& distribution)
-    : base_(distribution.base) {
+/// The densities on t, with a knot at each node.
+std::vector<PiecewiseLinearDensity> node_densities(const WavelengthDistribution& distribution) {
   if (distribution.components.empty())
     throw std::invalid_argument("a wavelength distribution has no densities");
   const std::size_t nodes = distribution.components[0].nodes.size();
   if (nodes < 2) throw std::invalid_argument("a density has fewer than two nodes");
-
   std::vector<double> t(nodes);
   for (std::size_t i = 0; i < nodes; ++i) t[i] = static_cast<double>(i) / static_cast<double>(nodes - 1);
+
   std::vector<PiecewiseLinearDensity> densities;
-  q_sum_.assign(nodes, 0.0);
   for (const auto& component : distribution.components) {
     if (component.nodes.size() != nodes)
       throw std::invalid_argument("the densities differ in their number of nodes");
     densities.emplace_back(t, component.nodes);
-    for (std::size_t i = 0; i < nodes; ++i) q_sum_[i] += densities.back().value()[i];
   }
-  for (std::size_t k = 0; k < densities.size(); ++k)
-    components_.push_back(
-        {densities[k], distribution.components[k].backwards, ComposedDensity(base_, densities[k], q_sum_)});
+  return densities;
 }
 
+std::vector<bool> orientations(const WavelengthDistribution& distribution) {
+  std::vector<bool> backwards;
+  for (const auto& component : distribution.components) backwards.push_back(component.backwards);
+  return backwards;
+}
+
+}  // namespace
+
+OptimizedWavelengths::OptimizedWavelengths(const WavelengthDistribution& distribution)
+    : base_(distribution.base),
+      densities_(node_densities(distribution)),
+      backwards_(orientations(distribution)),
+      composed_(base_, densities_, backwards_) {}
+
 void OptimizedWavelengths::draw(double u, std::span<double> lambda, std::span<double> density_sum) const {
-  for (std::size_t k = 0; k < components_.size(); ++k) {
-    const auto drawn = components_[k].composed.draw(components_[k].backwards ? 1.0 - u : u);
-    lambda[k] = drawn.lambda;
-    density_sum[k] = drawn.density_sum;
-  }
+  composed_.draw(u, lambda, density_sum);
 }
 
 double OptimizedWavelengths::density_sum(double lambda) const {
-  const double position = base_.cdf(lambda) * static_cast<double>(q_sum_.size() - 1);
-  const std::size_t i = std::min(static_cast<std::size_t>(position), q_sum_.size() - 2);
-  const double f = position - static_cast<double>(i);
-  return (q_sum_[i] * (1.0 - f) + q_sum_[i + 1] * f) * base_.density(lambda);
+  const double t = base_.cdf(lambda);
+  double sum = 0.0;
+  for (const PiecewiseLinearDensity& q : densities_) sum += q.density(t);
+  return sum * base_.density(lambda);
 }
 
 std::vector<double> OptimizedWavelengths::breakpoints(std::span<const double> knots) const {
-  std::vector<double> t(components_[0].density.x().begin(), components_[0].density.x().end());
+  std::vector<double> t(densities_[0].x().begin(), densities_[0].x().end());
   for (const auto list : {base_.x(), knots})
     for (const double lambda : list) t.push_back(base_.cdf(lambda));
   std::vector<double> u;
-  for (const Component& c : components_)
-    for (const double at : t) u.push_back(c.backwards ? 1.0 - c.density.cdf(at) : c.density.cdf(at));
+  for (std::size_t k = 0; k < densities_.size(); ++k)
+    for (const double at : t)
+      u.push_back(backwards_[k] ? 1.0 - densities_[k].cdf(at) : densities_[k].cdf(at));
   return u;
 }
 

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "spectral/composed_density.h"
+#include "spectral/composed_densities.h"
 #include "spectral/piecewise_density.h"
 #include "spectral/sampled_spectrum.h"
 #include "spectral/wavelength_distribution.h"
@@ -35,22 +35,17 @@ struct IlluminantWavelengths {
 class OptimizedWavelengths {
  public:
   explicit OptimizedWavelengths(const WavelengthDistribution& distribution);
-  int count() const { return static_cast<int>(components_.size()); }
+  int count() const { return static_cast<int>(densities_.size()); }
   void draw(double u, std::span<double> lambda, std::span<double> density_sum) const;
   double density_sum(double lambda) const;
   std::vector<double> breakpoints(
       std::span<const double> knots) const;  ///< as the free function, neither cut nor sorted
 
  private:
-  struct Component {
-    PiecewiseLinearDensity density;  ///< q_k on t
-    bool backwards;
-    ComposedDensity composed;  ///< p_k, for drawing
-  };
-
   PiecewiseLinearDensity base_;
-  std::vector<double> q_sum_;  ///< Σ_k q_k at the nodes: piecewise linear on equal cells of t, as each q_k is
-  std::vector<Component> components_;
+  std::vector<PiecewiseLinearDensity> densities_;  ///< q_k on t
+  std::vector<bool> backwards_;
+  ComposedDensities composed_;  ///< p_k, for drawing
 };
 
 using WavelengthSampler =
