@@ -29,7 +29,7 @@ struct SceneArguments {
   bool no_cache = false;
   std::string sequence = "sobol";  ///< or "independent"
   int max_depth = 64;              ///< surfaces met by a path at most
-  int batch_size = 4096;           ///< paths advanced together
+  int batch_size = 1024;           ///< paths advanced together
   double exposure = 0.0;           ///< [EV], of 8-bit outputs only
   std::uint32_t seed = 0;
   bool stats = false;

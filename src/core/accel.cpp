@@ -10,12 +10,14 @@
 #include <array>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace photopic {
 namespace {
 
-void throw_error(void*, RTCError, const char* message) {
-  throw std::runtime_error(std::string("Embree: ") + message);
+/// Embree calls this from inside, where nothing may be thrown: the message is kept until it returns.
+void keep_error(void* kept, RTCError, const char* message) {
+  *static_cast<std::string*>(kept) = message;
 }
 
 RTCRay make_ray(Vec3f origin, Vec3f direction, float t_max) {
@@ -49,10 +51,11 @@ void load(const RayArray& rays, std::span<const std::uint32_t> slots, RTCRay16& 
 struct Accel::Handles {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
+  std::string error;  ///< the last that Embree reported
 
   Handles() : device(rtcNewDevice(nullptr)) {
     if (!device) throw std::runtime_error("Embree: no device");
-    rtcSetDeviceErrorFunction(device, throw_error, nullptr);
+    rtcSetDeviceErrorFunction(device, keep_error, &error);
     scene = rtcNewScene(device);
   }
   ~Handles() {
@@ -125,6 +128,7 @@ Accel::Accel(Geometry& geometry) : handles_(std::make_unique<Handles>()) {
     first_triangle_.push_back(shape.first_triangle);
   }
   rtcCommitScene(handles_->scene);
+  if (!handles_->error.empty()) throw std::runtime_error("Embree: " + handles_->error);
 }
 
 Accel::~Accel() = default;

@@ -16,7 +16,7 @@ struct RenderOptions {
   Sequence sequence = Sequence::sobol;
   std::uint32_t seed = 0;
   int max_depth = 64;     ///< surfaces met by a path at most; light reaching the camera directly has depth 1
-  int batch_size = 4096;  ///< paths advanced together; changes no bit of the result
+  int batch_size = 1024;  ///< paths advanced together; changes no bit of the result
   const std::atomic<bool>* stop = nullptr;  ///< set by another thread or a signal: return what is done so far
   Progress* progress = nullptr;             ///< advanced by samples
 };

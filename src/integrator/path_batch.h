@@ -18,6 +18,7 @@ struct PathBatch {
         hits(capacity),
         pixel(capacity),
         stream(capacity),
+        sampled(capacity),
         wavelengths(capacity),
         emission(capacity * emission_count),
         throughput(capacity),
@@ -46,6 +47,7 @@ struct PathBatch {
   std::vector<Hit> hits;
   std::vector<std::uint32_t> pixel;
   std::vector<SampleStream> stream;
+  std::vector<SampledWavelengths<N>> sampled;  ///< on the way from the draw to the look-ups
   std::vector<PathWavelengths<N>> wavelengths;
   std::vector<SampledSpectrum<N>> emission;
   std::vector<SampledSpectrum<N>> throughput;  ///< β, per wavelength

@@ -45,23 +45,38 @@ void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
 
 template <int N>
 void PathTracer<N>::start(std::span<const PathKey> paths) {
-  const Observer& observer = Observer::cie1931();
   batch_.active.clear();
   for (std::uint32_t slot = 0; slot < paths.size(); ++slot) {
-    const auto [pixel, sample] = paths[slot];
-    const SampleStream stream(options_.sequence, options_.seed, pixel, sample);
-    batch_.pixel[slot] = pixel;
-    batch_.stream[slot] = stream;
+    batch_.pixel[slot] = paths[slot].pixel;
+    batch_.stream[slot] =
+        SampleStream(options_.sequence, options_.seed, paths[slot].pixel, paths[slot].sample);
+    batch_.active.push_back(slot);
+  }
+  choose_wavelengths();
+  leave_camera();
+  stats_.paths += paths.size();
+}
 
-    // Choose the wavelengths, and look up what depends on them alone.
-    const auto wavelengths = sample_wavelengths<N>(sampler_, wavelength_u(stream));
+/// The wavelengths, and all that depends on them alone. Drawing has a loop of its own, where the look-ups of
+/// neighbouring paths overlap.
+template <int N>
+void PathTracer<N>::choose_wavelengths() {
+  const Observer& observer = Observer::cie1931();
+  const auto& emissions = scene_.scene.emission_spectra;
+  for (const std::uint32_t slot : batch_.active)
+    batch_.sampled[slot] = sample_wavelengths<N>(sampler_, wavelength_u(batch_.stream[slot]));
+  for (const std::uint32_t slot : batch_.active) {
+    const auto& wavelengths = batch_.sampled[slot];
     batch_.wavelengths[slot] = PathWavelengths<N>(wavelengths, observer);
-    for (int k = 0; k < static_cast<int>(scene_.scene.emission_spectra.size()); ++k)
-      batch_.emission_of(slot, k) =
-          sample_emission<N>(scene_.scene.emission_spectra[static_cast<std::size_t>(k)], wavelengths);
+    for (std::size_t k = 0; k < emissions.size(); ++k)
+      batch_.emission_of(slot, static_cast<int>(k)) = sample_emission<N>(emissions[k], wavelengths);
+  }
+}
 
-    // Leave the camera.
-    const Ray ray = camera_ray(scene_.scene.camera, pixel, stream);
+template <int N>
+void PathTracer<N>::leave_camera() {
+  for (const std::uint32_t slot : batch_.active) {
+    const Ray ray = camera_ray(scene_.scene.camera, batch_.pixel[slot], batch_.stream[slot]);
     batch_.rays.origin.set(slot, ray.origin);
     batch_.rays.direction.set(slot, ray.direction);
     batch_.throughput[slot] = SampledSpectrum<N>(1.0f);
@@ -69,9 +84,7 @@ void PathTracer<N>::start(std::span<const PathKey> paths) {
     batch_.bsdf_pdf[slot] = 0.0f;
     batch_.eta_scale[slot] = 1.0f;
     batch_.medium[slot] = -1;
-    batch_.active.push_back(slot);
   }
-  stats_.paths += paths.size();
 }
 
 template <int N>

@@ -21,6 +21,8 @@ class PathTracer {
 
  private:
   void start(std::span<const PathKey> paths);
+  void choose_wavelengths();
+  void leave_camera();
   void intersect();
   void absorb_and_emit();
   void sort_by_bsdf(int depth);

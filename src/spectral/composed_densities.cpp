@@ -64,7 +64,7 @@ void ComposedDensities::add_pieces(const PiecewiseLinearDensity& base, std::size
 }
 
 void ComposedDensities::build_guide(Density& density) {
-  const std::size_t size = std::bit_ceil(4 * density.pieces.size());
+  const std::size_t size = std::bit_ceil(2 * density.pieces.size());
   density.guide_scale = static_cast<double>(size);
   density.guide.reserve(size + 1);
   std::uint32_t piece = 0;

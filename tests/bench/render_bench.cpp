@@ -58,8 +58,8 @@ void render_box(benchmark::State& state, const WavelengthSampler& sampler) {
   for (auto _ : state) paths += render(scene, sampler, options).stats.paths;
   state.SetItemsProcessed(static_cast<std::int64_t>(paths));
 }
-BENCHMARK_CAPTURE(render_box, uniform, UniformWavelengths{4})->Arg(1)->Arg(4096)->UseRealTime();
-BENCHMARK_CAPTURE(render_box, visible, VisibleWavelengths{4})->Arg(1)->Arg(4096)->UseRealTime();
+BENCHMARK_CAPTURE(render_box, uniform, UniformWavelengths{4})->Arg(1)->Arg(1024)->UseRealTime();
+BENCHMARK_CAPTURE(render_box, visible, VisibleWavelengths{4})->Arg(1)->Arg(1024)->UseRealTime();
 
 }  // namespace
 }  // namespace photopic
