@@ -24,11 +24,11 @@ FOR_EVERYBODY = {"error.h"}
 HOMES = {
     r"embree[34]/.*": r"core/accel\..*",
     r"OpenImageIO/.*": r"core/(image_io|texture)\..*",
-    r"tiny_gltf\.h": r"core/gltf_.*",
+    r"tiny_gltf\.h": r"core/gltf/.*",
     r"nlopt\.h(pp)?": r"optimize/solver\..*",
     r"CLI/.*": r"(main\.cpp|command_line\..*)",
     r"(tbb|oneapi)/.*": r"((optimize|core|integrator)/.*|main\.cpp)",
-    r"nlohmann/.*": r"(spectral/.*\.cpp|core/gltf_.*|[^/]*)",
+    r"nlohmann/.*": r"(spectral/.*\.cpp|core/gltf/.*|[^/]*)",
     r"pugixml\.hpp": r"spectral/.*\.cpp",
     r"fmt/.*": r".*\.cpp",
 }

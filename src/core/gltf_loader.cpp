@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "core/gltf_camera.h"
-#include "core/gltf_document.h"
-#include "core/gltf_emission.h"
-#include "core/gltf_geometry.h"
-#include "core/gltf_material.h"
-#include "core/gltf_nodes.h"
-#include "core/gltf_rules.h"
+#include "core/gltf/camera.h"
+#include "core/gltf/document.h"
+#include "core/gltf/emission.h"
+#include "core/gltf/geometry.h"
+#include "core/gltf/material.h"
+#include "core/gltf/nodes.h"
+#include "core/gltf/rules.h"
 #include "error.h"
 
 namespace photopic {

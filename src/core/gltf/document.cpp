@@ -1,12 +1,12 @@
 #define TINYGLTF_IMPLEMENTATION
-#include "core/gltf_document.h"
+#include "core/gltf/document.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/gltf_checks.h"
+#include "core/gltf/checks.h"
 #include "error.h"
 
 namespace photopic {

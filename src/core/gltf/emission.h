@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/gltf_document.h"
+#include "core/gltf/document.h"
 #include "core/gltf_loader.h"
 
 namespace photopic {

@@ -1,4 +1,4 @@
-#include "core/gltf_camera.h"
+#include "core/gltf/camera.h"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/gltf_document.h"
+#include "core/gltf/document.h"
 #include "core/math.h"
 
 namespace photopic {

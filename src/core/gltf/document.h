@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/gltf_file.h"
+#include "core/gltf/file.h"
 
 namespace photopic {
 

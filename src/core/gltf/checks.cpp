@@ -1,4 +1,4 @@
-#include "core/gltf_checks.h"
+#include "core/gltf/checks.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/gltf_rules.h"
+#include "core/gltf/rules.h"
 #include "error.h"
 
 namespace photopic {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/gltf_document.h"
+#include "core/gltf/document.h"
 #include "core/scene.h"
 
 namespace photopic {

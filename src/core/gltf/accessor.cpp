@@ -1,4 +1,4 @@
-#include "core/gltf_accessor.h"
+#include "core/gltf/accessor.h"
 
 #include <fmt/format.h>
 

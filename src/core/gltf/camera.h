@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "core/gltf/nodes.h"
 #include "core/gltf_loader.h"
-#include "core/gltf_nodes.h"
 
 namespace photopic {
 

@@ -1,4 +1,4 @@
-#include "core/gltf_material.h"
+#include "core/gltf/material.h"
 
 #include <fmt/format.h>
 

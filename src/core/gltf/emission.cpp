@@ -1,11 +1,11 @@
-#include "core/gltf_emission.h"
+#include "core/gltf/emission.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "core/gltf_material.h"
+#include "core/gltf/material.h"
 #include "error.h"
 #include "spectral/illuminants.h"
 #include "spectral/observer.h"

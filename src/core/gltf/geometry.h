@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/gltf_nodes.h"
+#include "core/gltf/nodes.h"
 #include "core/scene.h"
 
 namespace photopic {

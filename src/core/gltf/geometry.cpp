@@ -1,11 +1,11 @@
-#include "core/gltf_geometry.h"
+#include "core/gltf/geometry.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <limits>
 
-#include "core/gltf_accessor.h"
+#include "core/gltf/accessor.h"
 
 namespace photopic {
 namespace {
