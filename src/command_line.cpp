@@ -29,7 +29,8 @@ const CLI::Validator kFinite(
     },
     "-100…100");
 
-void bind_scene(CLI::App& command, SceneArguments& a) {
+/// @param served what the --distribution serves
+void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served) {
   command.add_option("SCENE", a.scene, "A glTF 2.0 file, .gltf or .glb")->required()->type_name("");
   command
       .add_option("--emitter", a.emitters,
@@ -52,10 +53,9 @@ void bind_scene(CLI::App& command, SceneArguments& a) {
       ->check(CLI::IsMember({1, 4, 8, 16}))
       ->type_name("N");
   command
-      .add_option(
-          "--distribution", a.distribution,
-          "Wavelength densities written by `photopic optimize` for this scene's lamps; if not given, the "
-          "optimised sampler optimises on the spot and keeps the result in $XDG_CACHE_HOME/photopic")
+      .add_option("--distribution", a.distribution,
+                  "Wavelength densities written by `photopic optimize` for this scene's lamps, of " + served +
+                      "; if not given, they are optimised on the spot and kept in $XDG_CACHE_HOME/photopic")
       ->type_name("FILE.json");
   command.add_flag("--no-cache", a.no_cache, "Neither read nor write that cache");
   command.add_option("--sequence", a.sequence, "Random numbers: sobol (Owen-scrambled) or independent")
@@ -99,8 +99,9 @@ void bind_json(CLI::App& command, std::filesystem::path& json) {
   command.add_option("--json", json, "Write the result for machines to read")->type_name("FILE");
 }
 
-void bind_quiet(CLI::App& command, bool& quiet) {
-  command.add_flag("--quiet", quiet, "No progress, no summary; warnings and errors only");
+void bind_quiet(CLI::App& command, bool& quiet,
+                const char* help = "No progress, no summary; warnings and errors only") {
+  command.add_flag("--quiet", quiet, help);
 }
 
 void bind_white(CLI::App& command, std::string& white, const char* help) {
@@ -121,7 +122,7 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* description, 
 void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
   auto a = std::make_shared<RenderArguments>();
   CLI::App& command = *add_command(app, "render", "Render a scene", action, run_render, a);
-  bind_scene(command, a->scene);
+  bind_scene(command, a->scene, "the optimised sampler");
   command
       .add_option("-o,--output", a->outputs,
                   "Image to write: .exr .hdr (linear), .png .jpg (sRGB); may be repeated")
@@ -147,7 +148,7 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
   CLI::App& command = *add_command(
       app, "compare", "Render a scene with several wavelength samplers and tabulate their errors", action,
       run_compare, a);
-  bind_scene(command, a->scene);
+  bind_scene(command, a->scene, "the optimised sampler and the reference");
   command.add_option("--samplers", a->samplers, "Samplers to compare; ratios are to the first")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -165,7 +166,8 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
       ->check(CLI::Range(2, 1 << 24))
       ->excludes(reference)
       ->type_name("N");
-  command.add_option("--curve", a->curve, "Also measure the mean ΔE at these samples per pixel")
+  command
+      .add_option("--curve", a->curve, "Also measure the mean ΔE and the seconds at these samples per pixel")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(kSamplesRange)
@@ -185,7 +187,7 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_seed(command, a->scene.seed);
   bind_threads(command, threads);
   bind_json(command, a->json);
-  bind_quiet(command, a->scene.quiet);
+  bind_quiet(command, a->scene.quiet, "No progress; the table, warnings and errors only");
   command.footer(
       std::string("\nΔE is CIEDE2000 on unclipped linear images. The n-th sampler renders with seed --seed + "
                   "n, so that\n"
@@ -196,9 +198,15 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
 
 void bind_optimize(CLI::App& app, std::function<int()>& action, int& threads) {
   auto a = std::make_shared<OptimizeArguments>();
-  CLI::App& command = *add_command(app, "optimize", "Find the wavelength densities that suit a lamp", action,
-                                   run_optimize, a);
-  command.add_option("SPECTRUM", a->spectrum, "The lamp's spectrum, see below")->required()->type_name("");
+  CLI::App& command = *add_command(
+      app, "optimize", "Find the wavelength densities that suit a lamp, or several", action, run_optimize, a);
+  command
+      .add_option(
+          "SPECTRUM", a->spectra,
+          "The lamp's spectrum, see below; of several, one set of densities serves all. SPECTRUM*POWER "
+          "gives a lamp's luminous power relative to the others', 1 if not given")
+      ->required()
+      ->type_name("[SPECTRUM[*POWER]…]");
   command.add_option("-o,--output", a->output, "Where the densities go, for render --distribution")
       ->required()
       ->type_name("FILE.json");
@@ -224,12 +232,32 @@ void bind_optimize(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option("--color-bar", a->color_bar,
                   "Picture of the colours that the sampler sees, beside the other samplers'")
       ->type_name("FILE.png");
+  command
+      .add_option("--plot", a->plot,
+                  "Picture of the spectrum, the densities, and what single paths see before and after")
+      ->type_name("FILE.svg");
   bind_seed(command, a->seed);
   bind_threads(command, threads);
   bind_json(command, a->json);
   bind_quiet(command, a->quiet);
   command.footer(std::string(kSpectrumHelp) +
-                 "\n\nExample: photopic optimize cie:FL11 -o fl11.json --color-bar fl11.png");
+                 "\n\nExample: photopic optimize cie:FL11 -o fl11.json --color-bar fl11.png"
+                 "\nExample: photopic optimize cie:FL11 'blackbody:2700*0.5' -o two-lamps.json");
+}
+
+void bind_spectrum(CLI::App& app, std::function<int()>& action) {
+  auto a = std::make_shared<SpectrumArguments>();
+  CLI::App& command = *add_command(app, "spectrum", "Describe a lamp: its colour, temperature and lines",
+                                   action, run_spectrum, a);
+  command.add_option("SPECTRUM", a->spectrum, "The lamp's spectrum, see below")->required()->type_name("");
+  command.add_option("--plot", a->plot, "Picture of the spectrum")->type_name("FILE.svg");
+  bind_json(command, a->json);
+  bind_quiet(command, a->quiet);
+  command.footer(
+      std::string(kSpectrumHelp) +
+      "\n\nChromaticity: CIE 1931. Temperature: that of the nearest blackbody [K] and the distance "
+      "Duv from it.\nA line is a peak at most 12 nm wide that holds 0.2 % of the power."
+      "\n\nExample: photopic spectrum cie:FL11 --plot fl11.svg");
 }
 
 void bind_diff(CLI::App& app, std::function<int()>& action, int& threads) {
@@ -251,6 +279,7 @@ void bind_commands(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_render(app, action, threads);
   bind_optimize(app, action, threads);
   bind_compare(app, action, threads);
+  bind_spectrum(app, action);
   bind_diff(app, action, threads);
 }
 

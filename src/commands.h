@@ -58,7 +58,7 @@ struct CompareArguments {
 int run_compare(const CompareArguments& arguments);
 
 struct OptimizeArguments {
-  std::string spectrum;
+  std::vector<std::string> spectra;  ///< "SPECTRUM[*POWER]"
   std::filesystem::path output;
   int wavelengths = 4;                   ///< 1 … 16
   std::string objective = "asymptotic";  ///< or "mean-delta-e"
@@ -66,15 +66,23 @@ struct OptimizeArguments {
   std::string white = "D65";             ///< or "illuminant"
   std::uint32_t seed = 1;
   std::filesystem::path color_bar;
+  std::filesystem::path plot;
   std::filesystem::path json;
   bool quiet = false;
 };
 int run_optimize(const OptimizeArguments& arguments);
 
+struct SpectrumArguments {
+  std::string spectrum;
+  std::filesystem::path plot;
+  std::filesystem::path json;
+  bool quiet = false;
+};
+int run_spectrum(const SpectrumArguments& arguments);
+
 struct DiffArguments {
   std::filesystem::path reference;
   std::vector<std::filesystem::path> images;
-  std::string white = "D65";
   std::filesystem::path json;
 };
 int run_diff(const DiffArguments& arguments);

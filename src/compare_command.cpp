@@ -36,9 +36,27 @@ struct Setting {
   DistributionRequest request;
 };
 
+std::vector<std::filesystem::path> report_files(const CompareArguments& arguments) {
+  std::vector<std::string> pictures = arguments.samplers;
+  if (arguments.reference.empty()) pictures.emplace_back("reference");
+  std::vector<std::filesystem::path> files{arguments.report / "color-bars.png",
+                                           arguments.report / "comparison.txt"};
+  for (const std::string& name : pictures)
+    for (const char* ending : {".exr", ".png"}) files.push_back(arguments.report / (name + ending));
+  return files;
+}
+
 void check_outputs(const CompareArguments& arguments) {
+  std::vector<std::filesystem::path> outputs;
   if (!arguments.json.empty()) check_writable_file(arguments.json);
-  if (!arguments.report.empty()) check_writable_folder(arguments.report);
+  if (!arguments.report.empty()) {
+    check_writable_folder(arguments.report);
+    outputs = report_files(arguments);
+  }
+  outputs.push_back(arguments.json);
+  std::vector<std::filesystem::path> inputs = input_files(arguments.scene);
+  inputs.push_back(arguments.reference);
+  check_no_overwriting(outputs, inputs);
 }
 
 Image average(const Image& a, const Image& b) {
@@ -83,13 +101,12 @@ std::optional<Reference> render_reference(const Setting& setting, const Waveleng
 
 std::vector<Entry> choose_samplers(const Setting& setting) {
   std::vector<Entry> entries;
-  const TabulatedSpectrum emission = scene_emission(setting.scene);
   for (const std::string& name : setting.arguments.samplers) {
     const auto same = [&](const Entry& entry) { return entry.name == name; };
     if (std::any_of(entries.begin(), entries.end(), same))
       throw InputError("--samplers", "names " + name + " twice", "name each once");
     const auto seed = setting.arguments.scene.seed + static_cast<std::uint32_t>(entries.size());
-    entries.push_back({name, choose_sampler(name, emission, setting.request), seed, {}, {}});
+    entries.push_back({name, choose_sampler(name, setting.scene, setting.request), seed, {}, {}});
   }
   return entries;
 }
@@ -121,7 +138,7 @@ double median_time_ratio(const Entry& first, const Entry& entry) {
 WavelengthSampler reference_sampler(const Setting& setting, const std::vector<Entry>& entries) {
   for (const Entry& entry : entries)
     if (entry.name == "optimized") return entry.chosen.sampler;
-  return choose_sampler("optimized", scene_emission(setting.scene), setting.request).sampler;
+  return choose_sampler("optimized", setting.scene, setting.request).sampler;
 }
 
 Run measure(const Setting& setting, const Reference& reference, const Entry& first, const Entry& entry) {
@@ -135,16 +152,23 @@ Run measure(const Setting& setting, const Reference& reference, const Entry& fir
   return run;
 }
 
+/// @param run the entry's, which is a point of the curve where its number of samples is asked for
 /// @return nothing when interrupted
 std::optional<ErrorCurve> measure_curve(const Setting& setting, const Reference& reference,
-                                        const Entry& entry) {
-  ErrorCurve curve{.sampler = entry.name, .spp = setting.arguments.curve, .mean_delta_e = {}};
+                                        const Entry& entry, const Run& run) {
+  ErrorCurve curve{.sampler = entry.name, .spp = setting.arguments.curve, .seconds = {}, .mean_delta_e = {}};
   for (int spp : curve.spp) {
+    if (spp == run.spp) {
+      curve.seconds.push_back(run.render_seconds);
+      curve.mean_delta_e.push_back(run.metrics->mean_delta_e);
+      continue;
+    }
     const RenderResult result =
         render_with_progress(fmt::format("{}, {} spp", entry.name, spp), setting.scene, entry.chosen.sampler,
                              setting.arguments.scene, spp, entry.seed);
     if (result.stats.stopped) return std::nullopt;
     const Image image = result.film.to_linear_srgb();
+    curve.seconds.push_back(result.stats.seconds);
     curve.mean_delta_e.push_back(compare_images(reference.image, image, setting.white).mean_delta_e);
   }
   return curve;
@@ -185,7 +209,7 @@ void write_report(const Setting& setting, const std::vector<Entry>& entries, Com
 void write_json(const CompareArguments& arguments, const Camera& camera, const Comparison& comparison) {
   nlohmann::ordered_json json = comparison_json(comparison);
   json["scene"] = {{"file", arguments.scene.scene.string()}, {"resolution", {camera.width, camera.height}}};
-  write_text_file(arguments.json, json.dump(2) + "\n");
+  write_json_file(arguments.json, json);
 }
 
 Comparison compare(const Setting& setting, std::vector<Entry>& entries) {
@@ -201,9 +225,8 @@ Comparison compare(const Setting& setting, std::vector<Entry>& entries) {
     if (entry.result)
       comparison.runs.push_back(measure(setting, comparison.reference, entries.front(), entry));
   if (setting.arguments.curve.empty()) return comparison;
-  for (const Entry& entry : entries) {
-    if (comparison.interrupted) break;
-    auto curve = measure_curve(setting, comparison.reference, entry);
+  for (std::size_t i = 0; i < entries.size() && !comparison.interrupted; ++i) {
+    auto curve = measure_curve(setting, comparison.reference, entries[i], comparison.runs[i]);
     comparison.interrupted = !curve;
     if (curve) comparison.curves.push_back(std::move(*curve));
   }
@@ -218,7 +241,7 @@ int run_compare(const CompareArguments& arguments) {
   const int wavelengths = choose_wavelength_count(arguments.scene.wavelengths, arguments.scene.distribution);
   const PreparedScene scene(load_scene(arguments.scene));
   const Setting setting{arguments, scene, wavelengths, white_point(arguments.white, scene_emission(scene)),
-                        distribution_request(arguments.scene, scene.scene, wavelengths, arguments.white)};
+                        distribution_request(arguments.scene, scene, wavelengths, arguments.white)};
 
   std::vector<Entry> entries = choose_samplers(setting);
   Comparison comparison = compare(setting, entries);

@@ -41,6 +41,8 @@ std::string curves_table(const std::vector<ErrorCurve>& curves) {
   for (const ErrorCurve& curve : curves) {
     rows.push_back({curve.sampler});
     for (double value : curve.mean_delta_e) rows.back().push_back(fmt::format("{:.3f}", value));
+    rows.push_back({"  seconds"});
+    for (double value : curve.seconds) rows.back().push_back(fmt::format("{:.3f}", value));
   }
   return format_table(rows);
 }
@@ -55,6 +57,8 @@ std::string format_comparison(const Comparison& comparison) {
   if (const auto agreement = channel_agreement(comparison.runs))
     text += fmt::format("channel means: largest |z| = {:.2f} ({} of {} and {})\n", agreement->largest_z,
                         agreement->channel, agreement->first, agreement->second);
+  else if (comparison.runs.size() > 1)
+    text += "channel means: - (one sample a pixel has no variance)\n";
   if (!comparison.curves.empty()) text += "\n" + curves_table(comparison.curves);
   return text;
 }
@@ -81,8 +85,10 @@ Json comparison_json(const Comparison& comparison) {
                                  {"samplers", {agreement->first, agreement->second}},
                                  {"channel", std::string(1, agreement->channel)}};
   for (const ErrorCurve& curve : comparison.curves)
-    json["curves"].push_back(
-        {{"sampler", curve.sampler}, {"spp", curve.spp}, {"mean_delta_e", curve.mean_delta_e}});
+    json["curves"].push_back({{"sampler", curve.sampler},
+                              {"spp", curve.spp},
+                              {"seconds", curve.seconds},
+                              {"mean_delta_e", curve.mean_delta_e}});
   return json;
 }
 

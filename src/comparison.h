@@ -19,10 +19,11 @@ struct Reference {
   std::optional<double> own_error;  ///< its estimated mean ΔE to the truth; nothing for an existing image
 };
 
-/// The mean ΔE of one sampler at several numbers of samples.
+/// The mean ΔE of one sampler, and what it took, at several numbers of samples.
 struct ErrorCurve {
   std::string sampler;
   std::vector<int> spp;
+  std::vector<double> seconds;  ///< of wall clock, rendering alone
   std::vector<double> mean_delta_e;
 };
 

@@ -13,6 +13,9 @@ namespace photopic {
 
 int run_diff(const DiffArguments& arguments) {
   if (!arguments.json.empty()) check_writable_file(arguments.json);
+  std::vector<std::filesystem::path> inputs = arguments.images;
+  inputs.push_back(arguments.reference);
+  check_no_overwriting({arguments.json}, inputs);
   const Image reference = read_image(arguments.reference);
 
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
@@ -36,7 +39,7 @@ int run_diff(const DiffArguments& arguments) {
     const nlohmann::ordered_json json = {{"version", PHOTOPIC_VERSION},
                                          {"reference", {{"image", arguments.reference.string()}}},
                                          {"runs", runs}};
-    write_text_file(arguments.json, json.dump(2) + "\n");
+    write_json_file(arguments.json, json);
   }
   fmt::print("{}", format_table(rows));
   return kExitDone;

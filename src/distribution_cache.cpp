@@ -8,8 +8,8 @@
 
 #include "error.h"
 #include "optimize_run.h"
-#include "output_file.h"
 #include "scene_setup.h"
+#include "spectral/lamp_set.h"
 
 namespace photopic {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Part of the files' names: to be counted up when the optimiser's results or the files' format change.
-constexpr int kCacheVersion = 1;
+constexpr int kCacheVersion = 2;
 
 std::optional<fs::path> cache_folder() {
   // The XDG base directory specification has relative paths ignored.
@@ -28,20 +28,21 @@ std::optional<fs::path> cache_folder() {
   return std::nullopt;
 }
 
-fs::path cache_file(const fs::path& folder, const TabulatedSpectrum& emission,
+fs::path cache_file(const fs::path& folder, std::span<const TabulatedSpectrum> lamps,
                     const OptimizeOptions& options) {
-  return folder / fmt::format("{}-n{}-o{}-e{}-w{}-s{}-v{}.json", digest(emission), options.wavelengths,
+  return folder / fmt::format("{}-n{}-o{}-e{}-w{}-s{}-v{}.json", digest(lamps), options.wavelengths,
                               static_cast<int>(options.objective), static_cast<int>(options.effort),
                               static_cast<int>(options.white), options.seed, kCacheVersion);
 }
 
-std::optional<WavelengthDistribution> read_cached(const fs::path& file, const TabulatedSpectrum& emission,
+std::optional<WavelengthDistribution> read_cached(const fs::path& file,
+                                                  std::span<const TabulatedSpectrum> lamps,
                                                   const OptimizeOptions& options) {
   std::error_code error;
   if (!fs::exists(file, error)) return std::nullopt;
   try {
     WavelengthDistribution distribution = read_distribution(file);
-    if (distribution.spectrum_digest != digest(emission) ||
+    if (distribution.spectrum_digest != digest(lamps) ||
         static_cast<int>(distribution.components.size()) != options.wavelengths)
       throw InputError(file.string(), "is not what its name says", "remove it");
     return distribution;
@@ -52,29 +53,25 @@ std::optional<WavelengthDistribution> read_cached(const fs::path& file, const Ta
 }
 
 void write_cached(const fs::path& file, const WavelengthDistribution& distribution) {
-  const fs::path temporary = temporary_name(file);
   try {
     fs::create_directories(file.parent_path());
-    write_distribution(temporary, distribution);
-    fs::rename(temporary, file);
+    write_distribution(file, distribution);
   } catch (const std::exception& problem) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
     print_warning(fmt::format("cannot keep the distribution in the cache: {}", problem.what()));
   }
 }
 
 }  // namespace
 
-CachedDistribution cached_distribution(const TabulatedSpectrum& emission, const std::string& lamp,
-                                       const OptimizeOptions& options, bool use_cache, bool quiet) {
+WavelengthDistribution cached_distribution(std::span<const TabulatedSpectrum> lamps, const std::string& name,
+                                           const OptimizeOptions& options, bool use_cache, bool quiet) {
   const std::optional<fs::path> folder = use_cache ? cache_folder() : std::nullopt;
-  const fs::path file = folder ? cache_file(*folder, emission, options) : fs::path();
+  const fs::path file = folder ? cache_file(*folder, lamps, options) : fs::path();
   if (folder)
-    if (auto distribution = read_cached(file, emission, options)) return {std::move(*distribution), 0.0};
-  OptimizeResult made = optimize_with_progress(emission, lamp, options, quiet);
+    if (auto distribution = read_cached(file, lamps, options)) return std::move(*distribution);
+  OptimizeResult made = optimize_with_progress(lamps, name, options, quiet);
   if (folder) write_cached(file, made.distribution);
-  return {std::move(made.distribution), made.seconds};
+  return std::move(made.distribution);
 }
 
 }  // namespace photopic

@@ -1,27 +1,27 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "commands.h"
 #include "core/image_io.h"
+#include "density_plot.h"
 #include "error.h"
+#include "optimize_report.h"
 #include "optimize_run.h"
 #include "output_file.h"
 #include "sampler_choice.h"
+#include "spectral/lamp_set.h"
 #include "spectral/observer.h"
 #include "spectral/spectrum_file.h"
-#include "text_table.h"
 
 namespace photopic {
 namespace {
-
-void check_outputs(const OptimizeArguments& arguments) {
-  check_writable_file(arguments.output);
-  if (!arguments.color_bar.empty()) check_writable_image(arguments.color_bar);
-  if (!arguments.json.empty()) check_writable_file(arguments.json);
-}
 
 /// The lamp as a table that gives some visible light.
 TabulatedSpectrum read_lamp(const std::string& text) {
@@ -35,20 +35,48 @@ TabulatedSpectrum read_lamp(const std::string& text) {
   throw InputError(text, "gives no visible light between 360 and 830 nm", "give the spectrum of a lamp");
 }
 
-void print_result(const WavelengthDistribution& d, double seconds) {
-  const auto row = [&](const char* name, double value) {
-    return std::vector<std::string>{name, fmt::format("{:.3f}", value),
-                                    fmt::format("{:.2f}x", d.uniform_value / value)};
-  };
-  fmt::print("{}", format_table({{"sampler", d.objective + " ΔE", "gain"},
-                                 row("uniform", d.uniform_value),
-                                 row("visible", d.visible_value),
-                                 row("illuminant", d.illuminant_value),
-                                 row("optimized", d.value)}));
+/// "SPECTRUM*POWER" taken apart; a file may have a star in its name.
+std::pair<std::string, double> parse_lamp(const std::string& text) {
+  const std::size_t star = text.rfind('*');
+  std::error_code ignored;
+  if (star == std::string::npos || std::filesystem::is_regular_file(text, ignored)) return {text, 1.0};
+  double power = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + star + 1, end, power);
+  if (error != std::errc() || rest != end || !(power > 0.0) || !std::isfinite(power))
+    throw InputError(text, fmt::format("\"{}\" is not a lamp's power", text.substr(star + 1)),
+                     "write a number above 0 behind the star, as in cie:FL11*2.5");
+  return {text.substr(0, star), power};
+}
+
+void check_outputs(const OptimizeArguments& arguments) {
+  check_writable_file(arguments.output);
+  if (!arguments.color_bar.empty()) check_writable_image(arguments.color_bar);
+  if (!arguments.plot.empty()) check_writable_file(arguments.plot);
+  if (!arguments.json.empty()) check_writable_file(arguments.json);
+  std::vector<std::filesystem::path> inputs;
+  for (const std::string& text : arguments.spectra) inputs.push_back(parse_lamp(text).first);
+  check_no_overwriting({arguments.output, arguments.color_bar, arguments.plot, arguments.json}, inputs);
+}
+
+std::vector<TabulatedSpectrum> read_lamps(const std::vector<std::string>& spectra) {
+  std::vector<TabulatedSpectrum> lamps;
+  std::vector<double> powers;
+  for (const std::string& text : spectra) {
+    const auto [spectrum, power] = parse_lamp(text);
+    lamps.push_back(read_lamp(spectrum));
+    powers.push_back(power);
+  }
+  return lamp_set(lamps, powers);
+}
+
+void print_result(const WavelengthDistribution& d, const std::vector<SamplerRow>& samplers, double seconds) {
+  fmt::print("{}", sampler_table(samplers, d.objective));
   fmt::print("{}, {} wavelengths, {:.2f} s\n", d.spectrum, d.components.size(), seconds);
 }
 
-void write_json(const OptimizeArguments& arguments, const OptimizeResult& result) {
+void write_json(const OptimizeArguments& arguments, const OptimizeResult& result,
+                const std::vector<SamplerRow>& samplers) {
   const WavelengthDistribution& d = result.distribution;
   const nlohmann::ordered_json json = {{"version", PHOTOPIC_VERSION},
                                        {"spectrum", d.spectrum},
@@ -64,29 +92,36 @@ void write_json(const OptimizeArguments& arguments, const OptimizeResult& result
                                        {"visible_value", d.visible_value},
                                        {"illuminant_value", d.illuminant_value},
                                        {"evaluations", result.evaluations},
-                                       {"optimize_seconds", result.seconds}};
-  write_text_file(arguments.json, json.dump(2) + "\n");
+                                       {"optimize_seconds", result.seconds},
+                                       {"samplers", samplers_json(samplers)}};
+  write_json_file(arguments.json, json);
 }
 
 }  // namespace
 
 int run_optimize(const OptimizeArguments& arguments) {
   check_outputs(arguments);
-  const TabulatedSpectrum lamp = read_lamp(arguments.spectrum);
+  const std::vector<TabulatedSpectrum> lamps = read_lamps(arguments.spectra);
   const OptimizeOptions options = optimize_options(arguments.wavelengths, arguments.objective,
                                                    arguments.effort, arguments.white, arguments.seed);
-  const OptimizeResult made = optimize_with_progress(lamp, arguments.spectrum, options, arguments.quiet);
+  const OptimizeResult made = optimize_with_progress(
+      lamps, fmt::format("{}", fmt::join(arguments.spectra, " ")), options, arguments.quiet);
 
   write_distribution(arguments.output, made.distribution);
+  const TabulatedSpectrum light = mixed_light(lamps);
   if (!arguments.color_bar.empty()) {
     const int count = arguments.wavelengths;
     const std::vector<WavelengthSampler> samplers{UniformWavelengths{count}, VisibleWavelengths{count},
-                                                  IlluminantWavelengths{count, base_density(lamp)},
+                                                  IlluminantWavelengths{count, base_density(light)},
                                                   OptimizedWavelengths(made.distribution)};
-    write_color_bar(arguments.color_bar, samplers, lamp);
+    write_color_bar(arguments.color_bar, samplers, light);
   }
-  if (!arguments.json.empty()) write_json(arguments, made);
-  if (!arguments.quiet) print_result(made.distribution, made.seconds);
+  if (!arguments.plot.empty())
+    write_text_file(arguments.plot, density_plot(made.initial, made.distribution, light));
+  if (arguments.json.empty() && arguments.quiet) return kExitDone;
+  const std::vector<SamplerRow> samplers = measure_samplers(made.distribution, light, options.white);
+  if (!arguments.json.empty()) write_json(arguments, made, samplers);
+  if (!arguments.quiet) print_result(made.distribution, samplers, made.seconds);
   return kExitDone;
 }
 

@@ -9,18 +9,19 @@
 
 namespace photopic {
 
-OptimizeResult optimize_with_progress(const TabulatedSpectrum& emission, const std::string& name,
+OptimizeResult optimize_with_progress(std::span<const TabulatedSpectrum> lamps, const std::string& name,
                                       const OptimizeOptions& options, bool quiet) {
   constexpr std::uint64_t kUnits = 1000;
   Progress progress("optimising", kUnits, "", quiet);
   std::uint64_t done = 0;
-  OptimizeResult result = optimize_distribution(emission, options, [&](double fraction) {
+  OptimizeResult result = optimize_distribution(lamps, options, [&](double fraction) {
     const auto now = static_cast<std::uint64_t>(std::lround(fraction * static_cast<double>(kUnits)));
     if (now <= done) return;
     progress.advance(now - done);
     done = now;
   });
   result.distribution.spectrum = name;
+  result.distribution.optimize_seconds = result.seconds;
   if (result.solver_failed)
     print_warning("optimising " + name + ": the solver gave up (" + result.solver_note +
                   "); its best point is kept");

@@ -10,8 +10,8 @@
 namespace photopic {
 
 /// Optimises with a progress line, and warns when the solver gave up.
-/// @param name the lamp's, for the distribution's file
-OptimizeResult optimize_with_progress(const TabulatedSpectrum& emission, const std::string& name,
+/// @param lamps a lamp_set  @param name theirs, for the distribution's file, which the seconds go to, too
+OptimizeResult optimize_with_progress(std::span<const TabulatedSpectrum> lamps, const std::string& name,
                                       const OptimizeOptions& options, bool quiet);
 
 /// Writes the color bar of some samplers under a lamp.

@@ -1,9 +1,7 @@
 #include "output_file.h"
 
-#include <unistd.h>
-
 #include <fstream>
-#include <string>
+#include <nlohmann/json.hpp>
 
 #include "error.h"
 
@@ -12,56 +10,53 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folder_of(const fs::path& file) {
-  return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
-
-void check_folder_takes_files(const fs::path& folder, const fs::path& output) {
+/// Whether two names are of one regular file, or would be once it is written.
+bool same_file(const fs::path& a, const fs::path& b) {
   std::error_code error;
-  if (!fs::is_directory(folder, error))
-    throw InputError(output.string(), "there is no folder " + folder.string(), "make it first");
-  if (access(folder.c_str(), W_OK | X_OK) != 0)
-    throw InputError(output.string(), "the folder " + folder.string() + " cannot be written to",
-                     "choose another or change its permissions");
+  if (fs::exists(a, error) && !fs::is_regular_file(a, error)) return false;
+  if (fs::equivalent(a, b, error)) return true;
+  // A relative path of which nothing exists yet would stay relative.
+  const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
+  return !error && first == fs::weakly_canonical(fs::absolute(b, error), error);
 }
 
 }  // namespace
 
-void check_writable_file(const fs::path& file) {
-  std::error_code error;
-  if (file.filename().empty() || fs::is_directory(file, error))
-    throw InputError(file.string(), "is a folder", "name a file in it");
-  check_folder_takes_files(folder_of(file), file);
-}
-
 void check_writable_folder(const fs::path& folder) {
   std::error_code error;
-  if (fs::is_directory(folder, error)) return check_folder_takes_files(folder, folder);
+  if (fs::is_directory(folder, error)) return check_writable_file(folder / "any");
   if (fs::exists(folder, error)) throw InputError(folder.string(), "is not a folder", "name a folder");
-  const fs::path plain = folder.has_filename() ? folder : folder.parent_path();
-  check_folder_takes_files(folder_of(plain), folder);
+  check_writable_file(folder.has_filename() ? folder : folder.parent_path());
 }
 
-fs::path temporary_name(const fs::path& file) {
-  return folder_of(file) / ("." + file.filename().string() + "." + std::to_string(getpid()) + ".part");
+void check_no_overwriting(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
+  std::error_code error;
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    if (output->empty()) continue;
+    for (const fs::path& input : inputs)
+      if (!input.empty() && fs::exists(input, error) && same_file(*output, input))
+        throw InputError(output->string(), "is an input, too, and would be overwritten",
+                         "name another file to write");
+    for (auto other = outputs.begin(); other != output; ++other)
+      if (!other->empty() && same_file(*output, *other))
+        throw InputError(output->string(), "would be written twice", "give each output a name of its own");
+  }
 }
 
 void write_text_file(const fs::path& file, std::string_view text) {
-  // Pipes and devices (/dev/stdout) are written to, not replaced.
-  std::error_code error;
-  const bool replace = !fs::exists(file, error) || fs::is_regular_file(file, error);
-  const fs::path target = replace ? temporary_name(file) : file;
-  std::ofstream stream(target, std::ios::binary);
+  AtomicFile output(file);
+  std::ofstream stream(output.partial(), std::ios::binary);
   stream << text;
   stream.close();
-  error.clear();
-  if (stream && replace) fs::rename(target, file, error);
-  if (!stream || error) {
-    std::error_code ignored;
-    if (replace) fs::remove(target, ignored);
+  std::error_code error;
+  if (stream) output.commit(error);
+  if (!stream || error)
     throw InputError(file.string(), "cannot be written",
                      "check the folder's permissions and the disk's free space");
-  }
+}
+
+void write_json_file(const fs::path& file, const nlohmann::ordered_json& json) {
+  write_text_file(file, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace photopic

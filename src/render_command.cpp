@@ -17,12 +17,15 @@ namespace {
 
 /// Wall-clock seconds of everything but the render itself.
 struct PhaseTimes {
-  double load = 0, prepare = 0, write = 0;
+  double load = 0, prepare = 0, optimize = 0, write = 0;
 };
 
 void check_outputs(const RenderArguments& arguments) {
   for (const auto& output : arguments.outputs) check_writable_image(output);
   if (!arguments.json.empty()) check_writable_file(arguments.json);
+  std::vector<std::filesystem::path> outputs = arguments.outputs;
+  outputs.push_back(arguments.json);
+  check_no_overwriting(outputs, input_files(arguments.scene));
 }
 
 void write_json(const RenderArguments& arguments, const Scene& scene, const Run& run,
@@ -40,10 +43,10 @@ void write_json(const RenderArguments& arguments, const Scene& scene, const Run&
   json["shadow_rays"] = run.stats.shadow_rays;
   json["phase_seconds"] = {{"load", times.load},
                            {"prepare", times.prepare},
-                           {"optimize", run.optimize_seconds},
+                           {"optimize", times.optimize},
                            {"render", run.render_seconds},
                            {"write", times.write}};
-  write_text_file(arguments.json, json.dump(2) + "\n");
+  write_json_file(arguments.json, json);
 }
 
 void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
@@ -57,8 +60,13 @@ void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
   fmt::print("speed:    {:.3f} M samples/s, {:.3f} M rays/s\n", run.samples_per_second() * 1e-6,
              run.rays_per_second() * 1e-6);
   fmt::print("seconds:  load {:.3f}, prepare {:.3f}, optimise {:.3f}, render {:.3f}, write {:.3f}\n",
-             times.load, times.prepare, run.optimize_seconds, run.render_seconds, times.write);
+             times.load, times.prepare, times.optimize, run.render_seconds, times.write);
   fmt::print("means:    {}\n", format_means(run));
+}
+
+int interrupted_early() {
+  print_warning("interrupted before the first sample: nothing is written");
+  return kExitInterrupted;
 }
 
 }  // namespace
@@ -80,10 +88,14 @@ int run_render(const RenderArguments& arguments) {
   const PreparedScene scene(std::move(loaded));
   times.prepare = prepare_watch.seconds();
 
-  const ChosenSampler chosen = choose_sampler(arguments.sampler, scene_emission(scene),
-                                              distribution_request(options, scene.scene, wavelengths, "D65"));
+  const Stopwatch optimize_watch;
+  const ChosenSampler chosen =
+      choose_sampler(arguments.sampler, scene, distribution_request(options, scene, wavelengths, "D65"));
+  times.optimize = optimize_watch.seconds();
+  if (interrupt_flag()) return interrupted_early();
   const RenderResult result =
       render_with_progress("rendering", scene, chosen.sampler, options, options.spp, options.seed);
+  if (result.stats.paths == 0) return interrupted_early();
 
   Run run = make_run(arguments.sampler, options.spp, wavelengths, options.seed, result);
   run.optimize_seconds = chosen.optimize_seconds;

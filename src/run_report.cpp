@@ -20,7 +20,9 @@ Run make_run(const std::string& sampler, int spp, int wavelengths, std::uint32_t
   run.render_seconds = result.stats.seconds;
   run.stats = result.stats;
   run.mean = result.film.image_mean();
-  run.variance_of_mean = result.film.image_variance_of_mean();
+  const auto pixels =
+      static_cast<std::uint64_t>(result.film.width()) * static_cast<std::uint64_t>(result.film.height());
+  if (result.stats.paths >= 2 * pixels) run.variance_of_mean = result.film.image_variance_of_mean();
   return run;
 }
 
@@ -39,8 +41,9 @@ nlohmann::ordered_json run_json(const Run& run) {
   json["non_finite_samples"] = run.stats.non_finite;
   json["optimize_seconds"] = run.optimize_seconds;
   json["mean_xyz"] = {run.mean.x, run.mean.y, run.mean.z};
-  json["mean_xyz_standard_error"] = {std::sqrt(run.variance_of_mean.x), std::sqrt(run.variance_of_mean.y),
-                                     std::sqrt(run.variance_of_mean.z)};
+  json["mean_xyz_standard_error"] = nullptr;
+  if (const auto& v = run.variance_of_mean)
+    json["mean_xyz_standard_error"] = {std::sqrt(v->x), std::sqrt(v->y), std::sqrt(v->z)};
   return json;
 }
 
@@ -59,18 +62,21 @@ void add_metrics(nlohmann::ordered_json& json, const std::optional<ImageDifferen
 }
 
 std::string format_means(const Run& run) {
-  return fmt::format("X {:.6g} ± {:.2g}, Y {:.6g} ± {:.2g}, Z {:.6g} ± {:.2g}", run.mean.x,
-                     std::sqrt(run.variance_of_mean.x), run.mean.y, std::sqrt(run.variance_of_mean.y),
-                     run.mean.z, std::sqrt(run.variance_of_mean.z));
+  const auto error = [&](double Xyz::*channel) {
+    return run.variance_of_mean ? fmt::format("{:.2g}", std::sqrt((*run.variance_of_mean).*channel)) : "-";
+  };
+  return fmt::format("X {:.6g} ± {}, Y {:.6g} ± {}, Z {:.6g} ± {}", run.mean.x, error(&Xyz::x), run.mean.y,
+                     error(&Xyz::y), run.mean.z, error(&Xyz::z));
 }
 
 std::optional<Agreement> channel_agreement(const std::vector<Run>& runs) {
-  if (runs.size() < 2) return std::nullopt;
+  const auto unknown = [](const Run& run) { return !run.variance_of_mean; };
+  if (runs.size() < 2 || std::ranges::any_of(runs, unknown)) return std::nullopt;
   Agreement largest;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     for (std::size_t j = i + 1; j < runs.size(); ++j) {
       const Xyz difference = runs[i].mean - runs[j].mean;
-      const Xyz variance = runs[i].variance_of_mean + runs[j].variance_of_mean;
+      const Xyz variance = *runs[i].variance_of_mean + *runs[j].variance_of_mean;
       const std::array<double, 3> d{difference.x, difference.y, difference.z},
           v{variance.x, variance.y, variance.z};
       for (std::size_t c = 0; c < 3; ++c) {

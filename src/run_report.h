@@ -22,8 +22,9 @@ struct Run {
   double time_ratio = 1;      ///< median over the rounds of the time's ratio to the first run's
   double optimize_seconds = 0;
   RenderStats stats;
-  Xyz mean;              ///< of the image's XYZ
-  Xyz variance_of_mean;  ///< of that mean, as if samples were independent
+  Xyz mean;  ///< of the image's XYZ
+  std::optional<Xyz>
+      variance_of_mean;  ///< of that mean, as if samples were independent; of one a pixel: none
   std::optional<ImageDifference> metrics;
 
   double samples_per_second() const { return static_cast<double>(stats.paths) / render_seconds; }
@@ -52,7 +53,7 @@ struct Agreement {
   std::string first, second;  ///< the samplers
   char channel = 'X';
 };
-/// Nothing for fewer than two runs.
+/// Nothing for fewer than two runs, or when a variance is not known.
 std::optional<Agreement> channel_agreement(const std::vector<Run>& runs);
 
 /// @throws InputError when `image` (called `name`) has another size than the reference

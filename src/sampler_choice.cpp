@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "distribution_cache.h"
 #include "error.h"
+#include "spectral/lamp_set.h"
 #include "spectral/observer.h"
 
 namespace photopic {
@@ -20,24 +23,39 @@ White white_named(std::string_view name) {
   return name == "illuminant" ? White::illuminant : White::d65;
 }
 
+/// A scene's lamps as arguments of `photopic optimize`, which read back give the same lamp_set.
+std::string lamp_names(const PreparedScene& scene) {
+  const std::vector<double>& powers = scene.lights.power_of_spectrum();
+  const double strongest = powers.empty() ? 0.0 : *std::max_element(powers.begin(), powers.end());
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < powers.size(); ++i) {
+    const std::string& name = scene.scene.emission_names[i];
+    if (powers[i] > 0.0)
+      names.push_back(powers[i] == strongest ? name : fmt::format("{}*{:.4g}", name, powers[i] / strongest));
+  }
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
 /// A distribution made for another lamp would be unbiased but no better than a guess: refuse it.
-void check_lamp(const WavelengthDistribution& distribution, const TabulatedSpectrum& emission,
-                const std::filesystem::path& file) {
-  if (distribution.spectrum_digest == digest(emission)) return;
-  throw InputError(file.string(),
-                   fmt::format("was made for another lamp ({}) than the scene's", distribution.spectrum),
+void check_lamps(const WavelengthDistribution& distribution, std::span<const TabulatedSpectrum> lamps,
+                 const DistributionRequest& request) {
+  if (distribution.spectrum_digest == digest(lamps)) return;
+  throw InputError(request.file.string(),
+                   fmt::format("was made for another lamp or other powers ({}) than the scene's ({})",
+                               distribution.spectrum, request.lamps),
                    "optimise for this scene's lamps, or leave out --distribution to have that done");
 }
 
-ChosenSampler optimized_sampler(const TabulatedSpectrum& emission, const DistributionRequest& request) {
+ChosenSampler optimized_sampler(const PreparedScene& scene, const DistributionRequest& request) {
+  const std::vector<TabulatedSpectrum> lamps = scene_lamps(scene);
   if (request.file.empty()) {
-    const CachedDistribution cached =
-        cached_distribution(emission, request.lamp, request.optimize, request.use_cache, request.quiet);
-    return {OptimizedWavelengths(cached.distribution), cached.optimize_seconds};
+    const WavelengthDistribution cached =
+        cached_distribution(lamps, request.lamps, request.optimize, request.use_cache, request.quiet);
+    return {OptimizedWavelengths(cached), cached.optimize_seconds};
   }
   const WavelengthDistribution distribution = read_distribution(request.file);
-  check_lamp(distribution, emission, request.file);
-  return {OptimizedWavelengths(distribution), 0.0};
+  check_lamps(distribution, lamps, request);
+  return {OptimizedWavelengths(distribution), distribution.optimize_seconds};
 }
 
 }  // namespace
@@ -59,11 +77,11 @@ Xyz white_point(std::string_view name, const TabulatedSpectrum& emission) {
   return white * (1.0 / white.y);
 }
 
-DistributionRequest distribution_request(const SceneArguments& arguments, const Scene& scene, int wavelengths,
-                                         std::string_view white) {
+DistributionRequest distribution_request(const SceneArguments& arguments, const PreparedScene& scene,
+                                         int wavelengths, std::string_view white) {
   const OptimizeArguments standard;  // what `photopic optimize` does when not told otherwise
   return {
-      .lamp = fmt::format("{}", fmt::join(scene.emission_names, ", ")),
+      .lamps = lamp_names(scene),
       .file = arguments.distribution,
       .optimize = optimize_options(wavelengths, standard.objective, standard.effort, white, standard.seed),
       .use_cache = !arguments.no_cache,
@@ -82,13 +100,13 @@ int choose_wavelength_count(int asked, const std::filesystem::path& distribution
   return count;
 }
 
-ChosenSampler choose_sampler(std::string_view name, const TabulatedSpectrum& emission,
+ChosenSampler choose_sampler(std::string_view name, const PreparedScene& scene,
                              const DistributionRequest& request) {
   const int count = request.optimize.wavelengths;
   if (name == "uniform") return {UniformWavelengths{count}, 0.0};
   if (name == "visible") return {VisibleWavelengths{count}, 0.0};
-  if (name == "illuminant") return {IlluminantWavelengths{count, base_density(emission)}, 0.0};
-  return optimized_sampler(emission, request);
+  if (name == "illuminant") return {IlluminantWavelengths{count, base_density(scene_emission(scene))}, 0.0};
+  return optimized_sampler(scene, request);
 }
 
 }  // namespace photopic

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "commands.h"
-#include "core/scene.h"
+#include "core/prepared_scene.h"
 #include "optimize/solver.h"
 #include "spectral/wavelength_sampler.h"
 
@@ -20,14 +20,14 @@ Xyz white_point(std::string_view name, const TabulatedSpectrum& emission);
 
 /// How a render's optimised sampler comes by its distribution.
 struct DistributionRequest {
-  std::string lamp;            ///< what the scene's lamps are called
+  std::string lamps;           ///< the scene's, as `photopic optimize` would take them
   std::filesystem::path file;  ///< empty: from the cache, or optimised on the spot and cached
   OptimizeOptions optimize;    ///< its number of wavelengths is that of all samplers
   bool use_cache = true;
   bool quiet = false;
 };
-DistributionRequest distribution_request(const SceneArguments& arguments, const Scene& scene, int wavelengths,
-                                         std::string_view white);
+DistributionRequest distribution_request(const SceneArguments& arguments, const PreparedScene& scene,
+                                         int wavelengths, std::string_view white);
 
 /// The number of wavelengths a render carries: `asked`, or if that is 0 the distribution file's, or 4.
 /// @throws InputError when the file cannot be read or holds another number than asked for
@@ -35,12 +35,12 @@ int choose_wavelength_count(int asked, const std::filesystem::path& distribution
 
 struct ChosenSampler {
   WavelengthSampler sampler;
-  double optimize_seconds = 0;  ///< 0 when nothing had to be optimised
+  double optimize_seconds = 0;  ///< paid when its distribution was made, now or before; 0: it has none
 };
 
-/// The sampler called `name` ("uniform", "visible", "illuminant", "optimized") for a scene's emission.
-/// @throws InputError when the distribution file was made for another lamp
-ChosenSampler choose_sampler(std::string_view name, const TabulatedSpectrum& emission,
+/// The sampler called `name` ("uniform", "visible", "illuminant", "optimized") for a scene's lamps.
+/// @throws InputError when the distribution file was made for others
+ChosenSampler choose_sampler(std::string_view name, const PreparedScene& scene,
                              const DistributionRequest& request);
 
 }  // namespace photopic

@@ -46,6 +46,12 @@ void parse_resolution(std::string_view text, GltfOptions& options) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> input_files(const SceneArguments& arguments) {
+  std::vector<std::filesystem::path> files{arguments.scene, arguments.distribution};
+  for (const std::string& text : arguments.emitters) files.push_back(parse_emitter(text).text);
+  return files;
+}
+
 void print_warning(const std::string& text) {
   fmt::print(stderr, "warning: {}\n", text);
 }
@@ -93,16 +99,14 @@ RenderResult render_with_progress(const std::string& label, const PreparedScene&
 
 void write_render(const std::filesystem::path& file, const Image& image, const SceneArguments& arguments,
                   const Scene& scene, const Run& run) {
-  Metadata metadata;
-  if (file.extension() == ".exr")
-    metadata = {{"scene", arguments.scene.string()},
-                {"sampler", run.sampler},
-                {"spp", std::to_string(run.spp)},
-                {"wavelengths", std::to_string(run.wavelengths)},
-                {"seed", std::to_string(run.seed)},
-                {"spectra", fmt::format("{}", fmt::join(scene.emission_names, ", "))},
-                {"version", "photopic " PHOTOPIC_VERSION},
-                {"render_seconds", fmt::format("{:.3f}", run.render_seconds)}};
+  Metadata metadata = {{"scene", arguments.scene.string()},
+                       {"sampler", run.sampler},
+                       {"spp", std::to_string(run.spp)},
+                       {"wavelengths", std::to_string(run.wavelengths)},
+                       {"seed", std::to_string(run.seed)},
+                       {"spectra", fmt::format("{}", fmt::join(scene.emission_names, ", "))},
+                       {"version", "photopic " PHOTOPIC_VERSION}};
+  if (is_float_image(file)) metadata["render_seconds"] = fmt::format("{:.3f}", run.render_seconds);
   write_image(file, image, metadata, arguments.exposure);
 }
 

@@ -12,6 +12,10 @@ namespace photopic {
 /// One line on stderr, `warning: …`.
 void print_warning(const std::string& text);
 
+/// What the arguments name to be read: the scene, the distribution, the emitters' spectra. Some may be empty
+/// or no files.
+std::vector<std::filesystem::path> input_files(const SceneArguments& arguments);
+
 /// Loads the scene with the arguments' camera, resolution and emitters, and prints the loader's warnings.
 /// @throws InputError
 Scene load_scene(const SceneArguments& arguments);
@@ -25,8 +29,8 @@ RenderResult render_with_progress(const std::string& label, const PreparedScene&
                                   const WavelengthSampler& sampler, const SceneArguments& arguments, int spp,
                                   std::uint32_t seed);
 
-/// Writes a render; an EXR says in its header how it was made (other files are the same bits for the same
-/// seed).
+/// Writes a render; EXR and PNG say how it was made. The render's time is in the EXR alone: other files are
+/// the same bits for the same seed.
 /// @throws InputError
 void write_render(const std::filesystem::path& file, const Image& image, const SceneArguments& arguments,
                   const Scene& scene, const Run& run);

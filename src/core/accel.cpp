@@ -1,6 +1,6 @@
 #include "core/accel.h"
 
-#if __has_include(<embree4/rtcore.h>)
+#if PHOTOPIC_EMBREE >= 4
 #include <embree4/rtcore.h>
 #else
 #include <embree3/rtcore.h>

@@ -2,7 +2,6 @@
 
 #include "core/bsdf.h"
 #include "core/microfacet.h"
-#include "core/opaque_bsdf.h"
 
 namespace photopic {
 
@@ -22,6 +21,7 @@ class GlassBsdf {
     const float eta = crossing_eta(wo);
     if (wo.z < 0.0f) wo.z = -wo.z, wi.z = -wi.z;
     if (wi.z > 0.0f) return evaluate_reflection(wo, wi, eta);
+    if (ior_ == 0.0f) return {};
     return solid_ ? evaluate_refraction(wo, wi, eta) : evaluate_passage(wo, wi, eta);
   }
 
@@ -52,7 +52,7 @@ class GlassBsdf {
     }
     if (!s.delta) {
       s.weight *= ggx_.g2(wo, s.wi) / ggx_.g1(wo);
-      if (!(s.pdf > 0.0f) || !std::isfinite(s.pdf)) return {};
+      if (s.pdf == 0.0f) return {};
     }
     s.wi.z *= side;
     return s;

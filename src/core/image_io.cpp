@@ -2,13 +2,13 @@
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
+#include "atomic_file.h"
 #include "error.h"
 #include "spectral/color.h"
 
@@ -67,14 +67,6 @@ OIIO::ImageSpec make_spec(const Image& image, bool linear, const Metadata& metad
   return spec;
 }
 
-/// A name beside the file, with its ending, that no other process uses.
-std::filesystem::path partial_name(const std::filesystem::path& file) {
-  std::filesystem::path name = file;
-  name.replace_filename(
-      fmt::format(".{}.{}.partial{}", file.stem().string(), ::getpid(), file.extension().string()));
-  return name;
-}
-
 void write_now(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
                double exposure_ev) {
   const auto fail = [&](const std::string& why) {
@@ -104,33 +96,21 @@ void check_writable_image(const std::filesystem::path& file) {
   if (encoding_of(file) == Encoding::unknown) {
     throw InputError(file.string(), "the ending is not one of .exr, .hdr, .png, .jpg", "name the image so");
   }
-  std::error_code error;
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  if (!std::filesystem::is_directory(folder, error))
-    throw InputError(file.string(), fmt::format("there is no folder \"{}\"", folder.string()),
-                     "create it first");
-  if (::access(folder.c_str(), W_OK) != 0)
-    throw InputError(file.string(), fmt::format("the folder \"{}\" cannot be written to", folder.string()),
-                     "choose another");
-  if (std::filesystem::is_directory(file, error))
-    throw InputError(file.string(), "this is a folder", "name a file in it");
+  check_writable_file(file);
+}
+
+bool is_float_image(const std::filesystem::path& file) {
+  return encoding_of(file) == Encoding::linear;
 }
 
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
                  double exposure_ev) {
   check_writable_image(file);
-  const std::filesystem::path partial = partial_name(file);
+  AtomicFile output(file);
+  write_now(output.partial(), image, metadata, exposure_ev);
   std::error_code error;
-  try {
-    write_now(partial, image, metadata, exposure_ev);
-    std::filesystem::rename(partial, file);
-  } catch (const std::filesystem::filesystem_error& problem) {
-    std::filesystem::remove(partial, error);
-    throw InputError(file.string(), "cannot be written: " + problem.code().message(), "choose another name");
-  } catch (...) {
-    std::filesystem::remove(partial, error);
-    throw;
-  }
+  output.commit(error);
+  if (error) throw InputError(file.string(), "cannot be written: " + error.message(), "choose another name");
 }
 
 Image read_image(const std::filesystem::path& file) {

@@ -24,9 +24,9 @@ struct Image {
 
 using Metadata = std::map<std::string, std::string>;
 
-/// Writes a linear image by the file's ending: .exr and .hdr as floats with metadata, .png and .jpg
-/// sRGB-encoded after an exposure of `exposure_ev` stops. Written to a temporary name first: a failure leaves
-/// no half file.
+/// Writes a linear image by the file's ending: .exr and .hdr as floats, .png and .jpg sRGB-encoded after an
+/// exposure of `exposure_ev` stops. EXR and PNG hold the metadata (PNG as text chunks), HDR and JPEG have no
+/// place for it. Written to a temporary name first: a failure leaves no half file.
 /// @throws InputError when the ending is not known or the file cannot be written
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata = {},
                  double exposure_ev = 0.0);
@@ -38,5 +38,8 @@ Image read_image(const std::filesystem::path& file);
 /// Checks before a long render that `file` can be written: its folder exists and its ending is known.
 /// @throws InputError
 void check_writable_image(const std::filesystem::path& file);
+
+/// Whether the ending, .exr or .hdr in either case, is that of an image of floats.
+bool is_float_image(const std::filesystem::path& file);
 
 }  // namespace photopic

@@ -55,21 +55,21 @@ LightSampler::LightSampler(const Scene& scene)
   while (!small.empty() && !large.empty()) {
     const std::uint32_t s = small.back(), l = large.back();
     small.pop_back();
-    bins_[s] = {static_cast<float>(power[s]), l};
+    bins_[s] = {power[s], l};
     power[l] -= 1.0 - power[s];
     if (power[l] < 1.0) {
       large.pop_back();
       small.push_back(l);
     }
   }
-  for (const std::uint32_t i : small) bins_[i] = {1.0f, i};
-  for (const std::uint32_t i : large) bins_[i] = {1.0f, i};
+  for (const std::uint32_t i : small) bins_[i] = {1.0, i};
+  for (const std::uint32_t i : large) bins_[i] = {1.0, i};
 }
 
-LightSample LightSampler::sample(float u_choice, Sample2d u) const {
-  const float scaled = u_choice * static_cast<float>(bins_.size());
+LightSample LightSampler::sample(double u_choice, Sample2d u) const {
+  const double scaled = u_choice * static_cast<double>(bins_.size());
   const auto bin = std::min(static_cast<std::uint32_t>(scaled), static_cast<std::uint32_t>(bins_.size() - 1));
-  const bool keep = scaled - static_cast<float>(bin) < bins_[bin].keep;
+  const bool keep = scaled - bin < bins_[bin].keep;
   const Triangle& t = triangles_[keep ? bin : bins_[bin].alias];
   const Sample2d b = sample_triangle(u);
   return {t.vertex + t.edge1 * b.x + t.edge2 * b.y, t.normal, pdf_of_material_[t.material], t.material,

@@ -28,7 +28,7 @@ class LightSampler {
   explicit LightSampler(const Scene& scene);
 
   bool empty() const { return triangles_.empty(); }
-  LightSample sample(float u_choice, Sample2d u) const;
+  LightSample sample(double u_choice, Sample2d u) const;
 
   /// The density with which sample() gives a point of a surface of this material [1/m²].
   float pdf_area(std::uint32_t material) const { return pdf_of_material_[material]; }
@@ -45,7 +45,7 @@ class LightSampler {
   std::vector<Triangle> triangles_;
   /// Walker's alias table.
   struct Bin {
-    float keep;
+    double keep;
     std::uint32_t alias;
   };
   std::vector<Bin> bins_;

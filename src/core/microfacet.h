@@ -5,6 +5,9 @@
 
 namespace photopic {
 
+/// Below this α a microsurface is taken for a perfect mirror.
+inline constexpr float kSmoothAlpha = 1e-3f;
+
 /// The isotropic GGX distribution of microfacet normals (Walter et al. 2007), with visible-normal sampling.
 /// All directions in the shading frame, unit length.
 struct Ggx {
@@ -25,7 +28,7 @@ struct Ggx {
   float g1(Vec3f w) const { return 1.0f / (1.0f + lambda(w)); }
   float g2(Vec3f wo, Vec3f wi) const { return 1.0f / (1.0f + lambda(wo) + lambda(wi)); }
 
-  /// The density of the normals seen from w, w.z > 0 [1/sr]: Heitz 2014, equation 2.
+  /// The density of the normals seen from w, w.z > 0 [1/sr]: Heitz & d'Eon 2014, equation 2.
   float visible_pdf(Vec3f w, Vec3f m) const { return g1(w) * d(m) * std::max(0.0f, dot(w, m)) / w.z; }
 
   /// A normal seen from w, w.z > 0: spherical caps, Dupuy & Benyoub 2023.

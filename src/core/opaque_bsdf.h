@@ -6,9 +6,6 @@
 
 namespace photopic {
 
-/// Below this α a microsurface is taken for a perfect mirror.
-inline constexpr float kSmoothAlpha = 1e-3f;
-
 /// glTF 2.0's metallic-roughness model (appendix B) with KHR_materials_specular and _ior: a GGX reflection
 /// with Schlick's Fresnel term over a diffuse base. Energy is conserved: bounces between microfacets are
 /// given back after Kulla & Conty 2017 ("Revisiting Physically Based Shading at Imageworks"), and the base
@@ -51,7 +48,7 @@ class OpaqueBsdf {
     }
     const Vec3f wi = specular ? reflect(wo, ggx_.sample_visible(wo, u)) : sample_cosine_hemisphere(u);
     const BsdfValue<N> value = evaluate(wo, wi);
-    if (!(value.pdf > 0.0f)) return {};
+    if (value.pdf == 0.0f) return {};
     return BsdfSample<N>{wi, value.f_cos / value.pdf, value.pdf, false};
   }
 

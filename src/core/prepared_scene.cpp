@@ -1,15 +1,28 @@
 #include "core/prepared_scene.h"
 
+#include <algorithm>
+
+#include "core/ggx_albedo.h"
+#include "spectral/lamp_set.h"
+
 namespace photopic {
 
 PreparedScene::PreparedScene(Scene source)
     : scene(std::move(source)),
       surfaces(scene.materials.begin(), scene.materials.end()),
       accel(scene.geometry),
-      lights(scene) {}
+      lights(scene) {
+  // What is made when first asked for is made now, on nobody's clock.
+  const auto is_opaque = [](const Surface& s) { return s.opaque_kind == BsdfKind::opaque; };
+  if (std::any_of(surfaces.begin(), surfaces.end(), is_opaque)) GgxAlbedo::table();
+}
 
 TabulatedSpectrum scene_emission(const PreparedScene& scene) {
   return mix_emissions(scene.scene.emission_spectra, scene.lights.power_of_spectrum());
+}
+
+std::vector<TabulatedSpectrum> scene_lamps(const PreparedScene& scene) {
+  return lamp_set(scene.scene.emission_spectra, scene.lights.power_of_spectrum());
 }
 
 }  // namespace photopic

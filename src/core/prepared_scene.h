@@ -22,4 +22,7 @@ struct PreparedScene {
 /// The emission that wavelength samplers adapt to: the scene's emission spectra weighted by emitted power.
 TabulatedSpectrum scene_emission(const PreparedScene& scene);
 
+/// The same lamps one by one, as the optimiser takes them: a lamp_set. Empty when the scene has no light.
+std::vector<TabulatedSpectrum> scene_lamps(const PreparedScene& scene);
+
 }  // namespace photopic

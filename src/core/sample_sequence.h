@@ -72,6 +72,9 @@ class SampleStream {
 
   float get_1d(std::uint32_t dimension) const { return to_unit(bits(dimension)); }
 
+  /// All 32 bits, in the middle of their intervals: for choices that 24 bits are too coarse for.
+  double get_1d_fine(std::uint32_t dimension) const { return (bits(dimension) + 0.5) * 0x1p-32; }
+
   Sample2d get_2d(std::uint32_t dimension) const {
     const std::uint32_t hash = mix_bits(seed_ + dimension * 0x9e3779b9u);
     if (sequence_ == Sequence::independent) return {to_unit(hash), to_unit(mix_bits(hash + 1u))};

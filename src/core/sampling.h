@@ -40,11 +40,6 @@ inline Sample2d sample_triangle(Sample2d u) {
   return {1.0f - root, u.y * root};
 }
 
-/// The balance heuristic for one sample of each of two techniques: Veach 1997, equation 9.8.
-inline float balance_heuristic(float pdf, float other_pdf) {
-  return pdf / (pdf + other_pdf);
-}
-
 /// The power heuristic, β = 2: Veach 1997, section 9.2.3. Written so that densities up to the largest float
 /// do not overflow.
 inline float power_heuristic(float pdf, float other_pdf) {

@@ -81,7 +81,7 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     }
     if (!next) break;
     throughput *= next->weight;
-    if (!(throughput.max() > 0.0f)) break;
+    if (throughput.is_black()) break;
     ray = {next->origin, next->direction};
     medium = next->medium;
   }

@@ -9,11 +9,6 @@ namespace {
 /// Roulette spares the first bounces: they carry most of the light.
 constexpr int kRouletteDepth = 3;
 
-template <int N>
-bool is_black(SampledSpectrum<N> s) {
-  return !(s.max() > 0.0f);
-}
-
 }  // namespace
 
 template <int N>
@@ -113,7 +108,7 @@ void PathTracer<N>::absorb_and_emit() {
     const float cos_light = -dot(normal, batch_.rays.direction[slot]);
     if (cos_light <= 0.0f && !surface.double_sided) continue;
     float weight = surface.emission_luminance;
-    if (const float pdf = batch_.bsdf_pdf[slot]; pdf > 0.0f)
+    if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
       weight *= power_heuristic(pdf, scene_.lights.pdf_area(material) * sqr(hit.t) / std::abs(cos_light));
     batch_.radiance[slot] +=
         batch_.throughput[slot] * batch_.emission_of(slot, surface.emission_spectrum) * weight;
@@ -149,7 +144,7 @@ template <typename Bsdf>
 void PathTracer<N>::sample_light(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex) {
   if (scene_.lights.empty()) return;
   const SampleStream& stream = batch_.stream[slot];
-  const LightSample light = scene_.lights.sample(stream.get_1d(bounce_dimension(depth, kLightChoice)),
+  const LightSample light = scene_.lights.sample(stream.get_1d_fine(bounce_dimension(depth, kLightChoice)),
                                                  stream.get_2d(bounce_dimension(depth, kLightPoint)));
   const Surface& lamp = scene_.surfaces[light.material];
 
@@ -162,12 +157,12 @@ void PathTracer<N>::sample_light(std::uint32_t slot, int depth, const Vertex<N, 
 
   // What would arrive?
   const BsdfValue<N> value = vertex.evaluate(wi);
-  if (!(value.pdf > 0.0f)) return;
+  if (value.pdf == 0.0f) return;
   const float pdf = light.pdf_area * sqr(distance) / std::abs(cos_light);
   SampledSpectrum<N> arriving = batch_.throughput[slot] * value.f_cos *
                                 batch_.emission_of(slot, lamp.emission_spectrum) *
                                 (lamp.emission_luminance * power_heuristic(pdf, value.pdf) / pdf);
-  if (is_black(arriving)) return;
+  if (arriving.is_black()) return;
   if (const int medium = vertex.medium_towards(wi, batch_.medium[slot]); medium >= 0)
     arriving *= scene_.surfaces[static_cast<std::size_t>(medium)].transmittance(
         batch_.wavelengths[slot].lambda, distance);
@@ -189,7 +184,7 @@ void PathTracer<N>::sample_direction(std::uint32_t slot, int depth, const Vertex
                                     stream.get_2d(bounce_dimension(depth, kBsdfDirection)));
   if (!sample) return;
   batch_.throughput[slot] *= sample->weight;
-  if (is_black(batch_.throughput[slot])) return;
+  if (batch_.throughput[slot].is_black()) return;
   batch_.rays.origin.set(slot, vertex.point.leave(sample->wi));
   batch_.rays.direction.set(slot, sample->wi);
   batch_.bsdf_pdf[slot] = sample->delta ? 0.0f : sample->pdf;

@@ -16,7 +16,7 @@ struct PathKey {
 };
 
 /// Which number of the sample stream drives what. Each entry is a dimension of its own: one number or a pair.
-enum Dimension : std::uint32_t { kFilm, kWavelength, kLens, kFirstBounce };
+enum Dimension : std::uint32_t { kFilm, kWavelength, kFirstBounce };
 enum BounceDimension : std::uint32_t {
   kBsdfChoice,
   kLightChoice,
@@ -72,7 +72,7 @@ inline Ray camera_ray(const Camera& camera, std::uint32_t pixel, const SampleStr
 
 /// The u in [0, 1) that all wavelengths of a path come from.
 inline double wavelength_u(const SampleStream& stream) {
-  return (stream.bits(kWavelength) + 0.5) * 0x1p-32;
+  return stream.get_1d_fine(kWavelength);
 }
 
 }  // namespace photopic

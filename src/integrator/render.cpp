@@ -49,10 +49,12 @@ int tile_count(const Camera& camera) {
 
 template <typename Tracer>
 RenderResult render_tiles(const PreparedScene& scene, const WavelengthSampler& wavelengths,
-                          const RenderOptions& options) {
+                          const RenderOptions& asked) {
   const auto start = std::chrono::steady_clock::now();
   const Camera& camera = scene.scene.camera;
   RenderResult result{Film(camera.width, camera.height), {}};
+  RenderOptions options = asked;
+  options.batch_size = std::min(asked.batch_size, kTileSize * kTileSize * kSamplesPerPass);  // a task's paths
   tbb::enumerable_thread_specific<Tracer> tracers([&] { return Tracer(scene, wavelengths, options); });
 
   const auto stopped = [&] {
@@ -74,7 +76,8 @@ RenderResult render_tiles(const PreparedScene& scene, const WavelengthSampler& w
 
   RenderStats& stats = result.stats;
   for (const Tracer& tracer : tracers) stats += tracer.stats();
-  stats.stopped = stopped();
+  stats.stopped =
+      stats.paths < std::uint64_t(camera.width) * std::uint64_t(camera.height) * std::uint64_t(asked.spp);
   stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "spectral/lamp_set.h"
 #include "spectral/observer.h"
 
 namespace photopic {
@@ -33,20 +34,25 @@ Position position_in(const TargetTable& table, double t) {
 
 }  // namespace
 
+Xyz white_of(const Targets& targets) {
+  if (targets.white == White::d65) return d65_white();
+  const Xyz lamp = emission_xyz(make_emitter(targets.mixed).emission, Observer::cie1931());
+  return lamp * (1.0 / lamp.y);
+}
+
 EstimateLoss::EstimateLoss(const Targets& targets, const PiecewiseLinearDensity& base)
     : objective_(targets.objective) {
-  const bool adapted = targets.white == White::illuminant;
+  white_ = white_of(targets);
   if (objective_ == Objective::mean_delta_e) {
     table_ = xyz_table(base, make_emitter(targets.mixed));
     const Xyz color{table_.integral[0], table_.integral[1], table_.integral[2]};
-    white_ = adapted ? color : d65_white();
     reference_ = xyz_to_lab(color, white_);
     return;
   }
 
   std::vector<Emitter> lamps;
   for (const TabulatedSpectrum& emission : targets.emitters) lamps.push_back(make_emitter(emission));
-  TargetBasis basis = target_basis(base, lamps, targets.reflectances, adapted);
+  TargetBasis basis = target_basis(base, lamps, targets.reflectances, white_);
   table_ = std::move(basis.table);
   for (const auto& rows : basis.coordinates) {
     Matrix form{};
@@ -54,6 +60,9 @@ EstimateLoss::EstimateLoss(const Targets& targets, const PiecewiseLinearDensity&
       for (const Channels& row : rows) form[a] += row[a] * row;
     forms_.push_back(form);
   }
+  const auto count = static_cast<double>(targets.reflectances.size());
+  for (const double share : luminance_shares(targets.emitters))
+    weights_.insert(weights_.end(), targets.reflectances.size(), share / count);
 }
 
 double EstimateLoss::operator()(std::span<Channels> estimates) const {
@@ -69,24 +78,24 @@ double EstimateLoss::asymptotic(std::span<Channels> estimates) const {
     for (int a = 0; a < kChannels; ++a) covariance[a] += share * e[a] * e;
   }
 
-  // Σ_m sqrt(tr(A_m C)), and its derivative by C.
+  // Σ_m w_m sqrt(tr(A_m C)), and its derivative by C.
   double value = 0.0;
   Matrix by_covariance{};
-  for (const Matrix& form : forms_) {
+  for (std::size_t m = 0; m < forms_.size(); ++m) {
+    const Matrix& form = forms_[m];
     double variance = 0.0;
     for (int a = 0; a < kChannels; ++a) variance += dot(form[a], covariance[a]);
     const double deviation = std::sqrt(std::max(variance, 1e-20));
-    value += deviation;
-    for (int a = 0; a < kChannels; ++a) by_covariance[a] += 0.5 / deviation * form[a];
+    value += weights_[m] * deviation;
+    for (int a = 0; a < kChannels; ++a) by_covariance[a] += 0.5 * weights_[m] / deviation * form[a];
   }
-  const double weight = 1.0 / static_cast<double>(forms_.size());
 
   for (Channels& e : estimates) {
     Channels by_estimate{};
-    for (int a = 0; a < kChannels; ++a) by_estimate += 2.0 * share * weight * e[a] * by_covariance[a];
+    for (int a = 0; a < kChannels; ++a) by_estimate += 2.0 * share * e[a] * by_covariance[a];
     e = by_estimate;
   }
-  return weight * value;
+  return value;
 }
 
 double EstimateLoss::mean_delta_e(std::span<Channels> estimates) const {

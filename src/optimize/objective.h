@@ -12,21 +12,25 @@ namespace photopic {
 
 /// What a set of densities is judged by.
 enum class Objective {
-  asymptotic,  ///< mean over targets of sqrt(mean_u |U (E(u) − c)|²) [ΔE]: what √n times the error tends to
+  asymptotic,  ///< weighted mean over targets of sqrt(mean_u |U (E(u) − c)|²) [ΔE]: what √n times the error
+               ///< tends to
   mean_delta_e  ///< ∫ ΔE00(E(u), c) du for R = 1 [ΔE], its kink at 0 rounded off by smooth_delta_e
 };
 
 /// The white of CIELAB, on the scale where R = 1 has Y = 1.
 enum class White { d65, illuminant };
 
-/// What is to be estimated well.
+/// What is to be estimated well. For several lamps, see lamp_set.
 struct Targets {
   Objective objective = Objective::asymptotic;
   White white = White::d65;
-  TabulatedSpectrum mixed;                  ///< the lamps together: what mean_delta_e sees
-  std::vector<TabulatedSpectrum> emitters;  ///< the lamps one by one, any scale
+  TabulatedSpectrum mixed;  ///< the lamps together: what mean_delta_e sees, and White::illuminant
+  std::vector<TabulatedSpectrum> emitters;  ///< the lamps one by one; each counts by its luminance
   std::vector<Spectrum> reflectances;       ///< seen under each of them
 };
+
+/// The white of CIELAB at Y = 1.
+Xyz white_of(const Targets& targets);
 
 /// An objective as a function of the estimates E(u) alone. Immutable; shared by all threads.
 class EstimateLoss {
@@ -50,7 +54,8 @@ class EstimateLoss {
   Objective objective_;
   TargetTable table_;
   std::vector<Matrix> forms_;  ///< for each target A with |U (E − c)|² = (e − e₀)ᵀ A (e − e₀) in channels
-  Lab reference_;              ///< of c, for mean_delta_e
+  std::vector<double> weights_;  ///< of the targets; they add up to 1
+  Lab reference_;                ///< of c, for mean_delta_e
   Xyz white_;
 };
 

@@ -21,4 +21,16 @@ std::vector<Spectrum> target_reflectances(int count, std::uint64_t seed) {
   return reflectances;
 }
 
+std::vector<Spectrum> test_reflectances(int count) {
+  constexpr std::uint64_t kSeed = 0x7e57;
+  std::mt19937_64 random(kSeed);
+  const auto component = [&] { return srgb_decode(static_cast<double>(random() >> 11) * 0x1p-53); };
+  std::vector<Spectrum> reflectances;
+  for (int i = 0; i < count; ++i) {
+    const double r = component(), g = component(), b = component();
+    reflectances.emplace_back(upsample_reflectance({r, g, b}));
+  }
+  return reflectances;
+}
+
 }  // namespace photopic

@@ -15,4 +15,8 @@ namespace photopic {
 /// @param count ≥ 1
 std::vector<Spectrum> target_reflectances(int count, std::uint64_t seed);
 
+/// Reflectances to judge a result by: sigmoid polynomials of colours drawn independently, evenly over the
+/// sRGB cube as encoded, always the same ones; no target is among them.
+std::vector<Spectrum> test_reflectances(int count);
+
 }  // namespace photopic

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "spectral/color_difference.h"
+#include "spectral/lamp_set.h"
 #include "spectral/observer.h"
 
 namespace photopic {
@@ -70,12 +71,6 @@ struct Moments {
   }
 };
 
-Xyz white_of(const Targets& targets, const Emitter& emitter) {
-  if (targets.white == White::d65) return d65_white();
-  const Xyz lamp = emission_xyz(emitter.emission, Observer::cie1931());
-  return lamp * (1.0 / lamp.y);
-}
-
 double asymptotic(const WavelengthSampler& sampler, const Targets& targets, const Emitter& emitter) {
   std::vector<Moments> moments(targets.reflectances.size());
   integrate(sampler, emitter, [&](const Path& path, double share) {
@@ -86,14 +81,15 @@ double asymptotic(const WavelengthSampler& sampler, const Targets& targets, cons
       moments[m].add(sum, share);
     }
   });
+  const Xyz white = white_of(targets);
   double sum = 0.0;
-  for (const Moments& m : moments) sum += m.deviation(white_of(targets, emitter));
+  for (const Moments& m : moments) sum += m.deviation(white);
   return sum / static_cast<double>(moments.size());
 }
 
 double mean_delta_e(const WavelengthSampler& sampler, const Targets& targets, const Emitter& emitter) {
   const Xyz lamp = emission_xyz(emitter.emission, Observer::cie1931());
-  const Xyz white = white_of(targets, emitter);
+  const Xyz white = white_of(targets);
   const Lab reference = xyz_to_lab(lamp * (1.0 / lamp.y), white);
   double mean = 0.0;
   integrate(sampler, emitter, [&](const Path& path, double share) {
@@ -109,10 +105,11 @@ double mean_delta_e(const WavelengthSampler& sampler, const Targets& targets, co
 double sampler_value(const WavelengthSampler& sampler, const Targets& targets) {
   if (targets.objective == Objective::mean_delta_e)
     return mean_delta_e(sampler, targets, make_emitter(targets.mixed));
-  double sum = 0.0;
-  for (const TabulatedSpectrum& emission : targets.emitters)
-    sum += asymptotic(sampler, targets, make_emitter(emission));
-  return sum / static_cast<double>(targets.emitters.size());
+  const std::vector<double> shares = luminance_shares(targets.emitters);
+  double value = 0.0;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    value += shares[i] * asymptotic(sampler, targets, make_emitter(targets.emitters[i]));
+  return value;
 }
 
 }  // namespace photopic

@@ -17,6 +17,7 @@
 #include "optimize/reflectance_set.h"
 #include "optimize/sampler_value.h"
 #include "optimize/search_plan.h"
+#include "spectral/lamp_set.h"
 
 namespace photopic {
 namespace {
@@ -136,8 +137,10 @@ struct Found {
   Outcome outcome;
 };
 
-Found search(const std::shared_ptr<const EstimateLoss>& loss, const std::vector<SearchLevel>& plan,
-             const OptimizeOptions& options, Progress& progress, int& evaluations) {
+/// The last level's candidates, the best first.
+std::vector<Found> search(const std::shared_ptr<const EstimateLoss>& loss,
+                          const std::vector<SearchLevel>& plan, const OptimizeOptions& options,
+                          Progress& progress, int& evaluations) {
   std::vector<Found> pool(plan[0].candidates);
   for (int i = 0; i < plan[0].candidates; ++i) pool[i].candidate = start(i, plan[0].nodes, options);
   for (const SearchLevel& level : plan) {
@@ -152,7 +155,7 @@ Found search(const std::shared_ptr<const EstimateLoss>& loss, const std::vector<
     std::stable_sort(pool.begin(), pool.end(),
                      [](const Found& a, const Found& b) { return a.candidate.value < b.candidate.value; });
   }
-  return pool[0];
+  return pool;
 }
 
 /// Fills in the baselines' values, each as its own sampler.
@@ -176,12 +179,37 @@ Targets make_targets(std::span<const TabulatedSpectrum> emissions, const Optimiz
   std::vector<Spectrum> reflectances = target_reflectances(kTargets, options.seed);
   reflectances.insert(reflectances.end(), options.extra_reflectances.begin(),
                       options.extra_reflectances.end());
-  const std::vector<double> weights(emissions.size(), 1.0);
   return {options.objective,
           options.white,
-          emissions.size() == 1 ? emissions[0] : mix_emissions(emissions, weights),
+          mixed_light(emissions),
           {emissions.begin(), emissions.end()},
           std::move(reflectances)};
+}
+
+/// A candidate as a distribution, judged by its spectra.
+WavelengthDistribution judged(const PiecewiseLinearDensity& base, const Candidate& candidate,
+                              const Targets& targets) {
+  WavelengthDistribution distribution = to_distribution(base, candidate);
+  distribution.value = sampler_value(OptimizedWavelengths(distribution), targets);
+  distribution.objective = targets.objective == Objective::asymptotic ? "asymptotic" : "mean-delta-e";
+  distribution.spectrum_digest = digest(targets.emitters);
+  return distribution;
+}
+
+/// The best of a search, by its judge: a density with a needle between two strata of u can fool the
+/// objective.
+/// @return its place in the pool, and the distribution
+std::pair<std::size_t, WavelengthDistribution> best_of(const std::vector<Found>& pool,
+                                                       const PiecewiseLinearDensity& base,
+                                                       const Targets& targets) {
+  constexpr double kClose = 1.1;  // a few per cent between objective and judge are what the tables cost
+  std::size_t place = 0;
+  WavelengthDistribution best = judged(base, pool[0].candidate, targets);
+  for (std::size_t i = 1; i < pool.size() && best.value > kClose * pool[i].candidate.value; ++i) {
+    WavelengthDistribution next = judged(base, pool[i].candidate, targets);
+    if (next.value < best.value) place = i, best = std::move(next);
+  }
+  return {place, std::move(best)};
 }
 
 /// The best on one base density, or its equal strata where nothing is better.
@@ -189,19 +217,44 @@ OptimizeResult search_with(const PiecewiseLinearDensity& base, const Targets& ta
                            const std::vector<SearchLevel>& plan, const OptimizeOptions& options,
                            Progress& progress, int& evaluations) {
   const auto loss = std::make_shared<const EstimateLoss>(targets, base);
-  const Found found = search(loss, plan, options, progress, evaluations);
+  const std::vector<Found> pool = search(loss, plan, options, progress, evaluations);
+  auto [place, best] = best_of(pool, base, targets);
   OptimizeResult result{
-      .distribution = to_distribution(base, found.candidate),
-      .initial = to_distribution(base, equal_strata(options.wavelengths, plan.back().nodes)),
-      .solver_failed = found.outcome.failed,
-      .solver_note = found.outcome.note};
-  for (WavelengthDistribution* distribution : {&result.distribution, &result.initial}) {
-    distribution->value = sampler_value(OptimizedWavelengths(*distribution), targets);
-    distribution->objective = targets.objective == Objective::asymptotic ? "asymptotic" : "mean-delta-e";
-    distribution->spectrum_digest = digest(targets.mixed);
-  }
+      .distribution = std::move(best),
+      .initial = judged(base, equal_strata(options.wavelengths, plan.back().nodes), targets),
+      .solver_failed = pool[place].outcome.failed,
+      .solver_note = pool[place].outcome.note};
   if (result.initial.value < result.distribution.value) result.distribution = result.initial;
   return result;
+}
+
+/// Where the search found nothing as good as the `illuminant` or the `visible` sampler: descends from these,
+/// and if that is not enough takes them as they are. Both are N equal strata of a density that a base can be
+/// (for `visible`, u_j = frac(u + j/N) visits the same sets of N wavelengths as the strata do). Finer nodes
+/// make the strata's edges steeper; at the finest they give the sampler's own value to a thousandth.
+void catch_up(OptimizeResult& result, const Targets& targets, const SearchLevel& level, int& evaluations) {
+  constexpr int kSteepest = 8192;
+  WavelengthDistribution& best = result.distribution;
+  const double baseline = std::min(best.illuminant_value, best.visible_value);
+  const auto take = [&](WavelengthDistribution better) {
+    if (!(better.value < best.value)) return;
+    better.illuminant_value = best.illuminant_value;
+    better.visible_value = best.visible_value;
+    better.uniform_value = best.uniform_value;
+    best = std::move(better);
+  };
+  const int wavelengths = static_cast<int>(best.components.size());
+  const PiecewiseLinearDensity bases[] = {base_density(targets.mixed), base_density(targets.mixed, 0.0, 1.0)};
+  for (const PiecewiseLinearDensity& base : bases) {
+    if (best.value <= baseline) return;
+    Candidate candidate = equal_strata(wavelengths, level.nodes);
+    const auto loss = std::make_shared<const EstimateLoss>(targets, base);
+    evaluations += descend(candidate, loss, level).evaluations;
+    take(judged(base, candidate, targets));
+  }
+  for (int nodes = 2 * level.nodes; nodes <= kSteepest; nodes *= 2)
+    for (const PiecewiseLinearDensity& base : bases)
+      if (best.value > baseline) take(judged(base, equal_strata(wavelengths, nodes), targets));
 }
 
 }  // namespace
@@ -227,8 +280,9 @@ OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emission
     if (!best || result.distribution.value < best->distribution.value) best = std::move(result);
   }
   OptimizeResult& result = *best;
-  result.evaluations = evaluations;
   judge_baselines(result.distribution, targets);
+  catch_up(result, targets, plan.back(), evaluations);
+  result.evaluations = evaluations;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return std::move(*best);
 }

@@ -130,13 +130,11 @@ TargetTable xyz_table(const PiecewiseLinearDensity& base, const Emitter& emitter
 }
 
 TargetBasis target_basis(const PiecewiseLinearDensity& base, std::span<const Emitter> emitters,
-                         std::span<const Spectrum> reflectances, bool adapted_white) {
+                         std::span<const Spectrum> reflectances, Xyz white) {
   const auto points = fine_points(base);
   std::vector<Row> rows;
   for (const Emitter& emitter : emitters) {
     const auto weighted = weighted_observer(points, emitter);
-    const Xyz lamp = emission_xyz(emitter.emission, Observer::cie1931());
-    const Xyz white = adapted_white ? lamp * (1.0 / lamp.y) : d65_white();
     for (const Spectrum& reflectance : reflectances) {
       auto target = xyz_rows(points, weighted, reflectance);
       const Xyz color{integral(target[0]), integral(target[1]), integral(target[2])};

@@ -44,7 +44,8 @@ struct TargetBasis {
       coordinates;  ///< for each target: U·XYZ = these rows times the channels
   double residual;  ///< the largest root mean square that was left out, of all rows [ΔE]
 };
+/// @param white of CIELAB, on the scale where R = 1 has Y = 1
 TargetBasis target_basis(const PiecewiseLinearDensity& base, std::span<const Emitter> emitters,
-                         std::span<const Spectrum> reflectances, bool adapted_white);
+                         std::span<const Spectrum> reflectances, Xyz white);
 
 }  // namespace photopic

@@ -60,6 +60,12 @@ struct SampledSpectrum {
     for (int i = 1; i < N; ++i) m = std::max(m, v[i]);
     return m;
   }
+  /// Whether nothing is left; not a number is not nothing.
+  bool is_black() const {
+    for (int i = 0; i < N; ++i)
+      if (!(v[i] <= 0.0f)) return false;
+    return true;
+  }
   float sum() const {
     float s = v[0];
     for (int i = 1; i < N; ++i) s += v[i];

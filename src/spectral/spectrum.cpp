@@ -97,9 +97,9 @@ std::string digest(const TabulatedSpectrum& spectrum) {
 
   std::uint64_t hash = 0xcbf29ce484222325u;
   const auto add = [&hash](double number, double resolution) {
-    // The odd third keeps round decimals away from the rounding's edge, where one ulp would decide.
-    const auto rounded =
-        static_cast<std::int64_t>(std::floor(std::clamp(number, -1e9, 1e9) / resolution + 1.0 / 3.0));
+    // The golden section keeps simple fractions away from the rounding's edge, where one ulp would decide.
+    const auto rounded = static_cast<std::int64_t>(
+        std::floor(std::clamp(number, -1e9, 1e9) / resolution + 0.6180339887498949));
     for (int byte = 0; byte < 8; ++byte) {
       hash ^= (static_cast<std::uint64_t>(rounded) >> (8 * byte)) & 0xffu;
       hash *= 0x100000001b3u;
@@ -107,7 +107,7 @@ std::string digest(const TabulatedSpectrum& spectrum) {
   };
   for (std::size_t i = 0; i < spectrum.lambda().size(); ++i) {
     add(spectrum.lambda()[i], 1e-6);
-    add(spectrum.value()[i] / largest, 1e-9);
+    add(spectrum.value()[i] / largest, 1e-7);
   }
 
   std::string text(16, '0');

@@ -1,7 +1,5 @@
 #include "spectral/wavelength_distribution.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -11,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "atomic_file.h"
 #include "error.h"
 #include "spectral/sampled_spectrum.h"
 
@@ -19,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 constexpr const char* kFormat = "photopic wavelength distribution";
 
 Json to_json(const WavelengthDistribution& distribution) {
@@ -29,6 +28,7 @@ Json to_json(const WavelengthDistribution& distribution) {
   json["spectrum"] = distribution.spectrum;
   json["spectrum_digest"] = distribution.spectrum_digest;
   json["objective"] = distribution.objective;
+  json["optimize_seconds"] = distribution.optimize_seconds;
   json["value"] = distribution.value;
   json["baselines"] = {{"uniform", distribution.uniform_value},
                        {"visible", distribution.visible_value},
@@ -128,11 +128,12 @@ std::vector<WavelengthDistribution::Component> read_components(const Place& plac
 }
 
 WavelengthDistribution from_json(const Place& root) {
-  root.only_keys({"format", "version", "spectrum", "spectrum_digest", "objective", "value", "baselines",
-                  "base", "components"});
+  root.only_keys({"format", "version", "spectrum", "spectrum_digest", "objective", "optimize_seconds",
+                  "value", "baselines", "base", "components"});
   if (root.at("format").text() != kFormat)
     root.at("format").refuse(std::string("expected \"") + kFormat + "\"");
-  if (root.at("version").number() != kVersion) root.at("version").refuse("this program knows version 1 only");
+  if (root.at("version").number() != kVersion)
+    root.at("version").refuse("this program knows version " + std::to_string(kVersion) + " only");
   const Place baselines = root.at("baselines");
   baselines.only_keys({"uniform", "visible", "illuminant"});
   return {.base = read_base(root.at("base")),
@@ -140,6 +141,7 @@ WavelengthDistribution from_json(const Place& root) {
           .spectrum = root.at("spectrum").text(),
           .spectrum_digest = root.at("spectrum_digest").text(),
           .objective = root.at("objective").text(),
+          .optimize_seconds = root.at("optimize_seconds").number(),
           .value = root.at("value").number(),
           .illuminant_value = baselines.at("illuminant").number(),
           .visible_value = baselines.at("visible").number(),
@@ -149,20 +151,15 @@ WavelengthDistribution from_json(const Place& root) {
 }  // namespace
 
 void write_distribution(const std::filesystem::path& file, const WavelengthDistribution& distribution) {
-  // A file of this process's own first, then renamed: readers and a second writer never see half of it.
-  std::filesystem::path partial = file;
-  partial += ".partial-" + std::to_string(getpid());
-  std::ofstream out(partial);
-  out << to_json(distribution).dump(1) << '\n';
+  AtomicFile output(file);
+  std::ofstream out(output.partial());
+  out << to_json(distribution).dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
   out.close();
   std::error_code error;
-  if (out) std::filesystem::rename(partial, file, error);
-  if (!out || error) {
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
+  if (out) output.commit(error);
+  if (!out || error)
     throw InputError(file.string(), "cannot be written",
                      "check that its folder exists, is writable and has space");
-  }
 }
 
 WavelengthDistribution read_distribution(const std::filesystem::path& file) {

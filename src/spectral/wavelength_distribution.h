@@ -33,6 +33,7 @@ struct WavelengthDistribution {
   std::string spectrum = {};         ///< as the user named it
   std::string spectrum_digest = {};  ///< digest() of the tabulated emission
   std::string objective = {};        ///< "asymptotic" or "mean-delta-e"
+  double optimize_seconds = 0.0;     ///< wall clock of the search
   double value = 0.0;                ///< the objective's value reached [ΔE]
   double illuminant_value = 0.0, visible_value = 0.0, uniform_value = 0.0;  ///< the baselines' [ΔE]
 };

@@ -1,11 +1,14 @@
 """The commands at work on a tiny scene: files, JSON, reproducible bits, the cache, interruption."""
 
+import json
+import os
 import pathlib
 import re
 import signal
 import subprocess
 import time
 import unittest
+import xml.etree.ElementTree
 
 from harness import BINARY, DEADLINE, CommandTest
 
@@ -14,6 +17,8 @@ RUN_FIELDS = {
     "mean_delta_e", "median_delta_e", "p95_delta_e", "max_delta_e", "mse", "relmse", "non_finite_samples",
     "optimize_seconds",
 }  # fmt: skip
+
+SVG = "{http://www.w3.org/2000/svg}"
 
 
 class Render(CommandTest):
@@ -75,16 +80,53 @@ class Render(CommandTest):
             time.sleep(0.05)
         self.fail("SIGINT is not caught")
 
-    def test_interrupt_saves_the_partial_image(self):
-        command = [BINARY, "render", str(self.scene), "-o", "a.exr", "--sampler", "uniform", "--spp", str(1 << 24)]
+    def interrupt(self, seconds, *options):
+        """Renders until SIGINT, sent some time after it is caught. Returns what stderr held."""
+        command = [BINARY, "render", str(self.scene), "-o", "a.exr", "--json", "a.json", *options]
         process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True, env=self.environment)
         self.wait_for_handler(process.pid)
-        time.sleep(0.5)
+        time.sleep(seconds)
         process.send_signal(signal.SIGINT)
         _, stderr = process.communicate(timeout=DEADLINE)
         self.assertEqual(process.returncode, 130, stderr)
         self.assertIn("interrupted", stderr)
-        self.assertEqual(self.max_difference("a.exr", "a.exr"), 0)
+        return stderr
+
+    def test_interrupt_saves_the_partial_image(self):
+        self.interrupt(1, "--sampler", "uniform", "--spp", str(1 << 24))
+        run = self.read_json("a.json")
+        self.assertTrue(run["interrupted"])
+        self.assertGreater(run["mean_xyz"][1], 0)
+        self.render("b.exr", sampler="visible")
+        self.photopic("diff", "b.exr", "a.exr", "--json", "diff.json")
+        self.assertLess(self.read_json("diff.json")["runs"][0]["mean_delta_e"], 50)  # black is much farther
+
+    def test_interrupt_before_the_first_sample_writes_nothing(self):
+        for name in ["a.exr", "a.json"]:
+            (self.folder / name).write_text("precious")
+        stderr = self.interrupt(0, "--sampler", "optimized", "--no-cache", "--wavelengths", "16", "--quiet")
+        self.assertEqual(len(stderr.splitlines()), 1, stderr)
+        for name in ["a.exr", "a.json"]:
+            self.assertEqual((self.folder / name).read_text(), "precious")
+
+    def test_png_says_how_it_was_made(self):
+        self.render("a.PNG", "--seed", "7")
+        png = (self.folder / "a.PNG").read_bytes()
+        for keyword, text in [("sampler", "uniform"), ("spp", "4"), ("seed", "7"), ("scene", str(self.scene))]:
+            self.assertIn(f"tEXt{keyword}\0{text}".encode(), png)
+        self.assertNotIn(b"render_seconds", png)
+        self.render("a.EXR")
+        self.assertIn(b"render_seconds", (self.folder / "a.EXR").read_bytes())
+
+    def test_pipes_are_written_to(self):
+        out = self.photopic("render", self.scene, "-o", "a.exr", "--sampler", "uniform", "--spp", "1", "--quiet",
+                            "--json", "/dev/stdout").stdout  # fmt: skip
+        self.assertEqual(json.loads(out)["spp"], 1)
+        self.assertIsNone(json.loads(out)["mean_xyz_standard_error"])  # one sample has no variance
+
+    def test_names_that_are_no_utf8(self):
+        self.render(os.fsdecode(b"\xff.exr"), "--json", "a.json")
+        self.assertEqual(self.read_json("a.json")["image"], "\ufffd.exr")
 
 
 class Optimize(CommandTest):
@@ -98,13 +140,62 @@ class Optimize(CommandTest):
         self.assertEqual((self.folder / "bar.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         self.photopic("render", self.scene, "-o", "a.exr", "--emitter", "lamp=cie:FL11", "--distribution", "d.json",
                       "--spp", "2", "--json", "a.json", "--quiet")  # fmt: skip
-        self.assertEqual(self.read_json("a.json")["optimize_seconds"], 0)
+        self.assertEqual(self.read_json("a.json")["optimize_seconds"], result["optimize_seconds"])
 
     def test_same_seed_same_result_whatever_threads(self):
-        self.optimize("--threads", "1")
-        one = (self.folder / "d.json").read_bytes()
-        self.optimize("--threads", "2")
-        self.assertEqual(one, (self.folder / "d.json").read_bytes())
+        def result(threads):
+            self.optimize("--threads", threads)
+            return re.sub(r'"optimize_seconds": .*', "", (self.folder / "d.json").read_text())
+
+        self.assertEqual(result("1"), result("2"))
+
+    def test_plot_and_table(self):
+        out = self.optimize("--wavelengths", "5", "--plot", "d.svg", "--json", "result.json").stdout
+        root = xml.etree.ElementTree.parse(self.folder / "d.svg").getroot()
+        self.assertEqual(root.tag, SVG + "svg")
+        # The spectrum's outline, five densities, X, Y, Z before and after.
+        self.assertEqual(len(root.findall(SVG + "polyline")), 1 + 5 + 6)
+        self.assertIn("wavelength [nm]", [text.text for text in root.iter(SVG + "text")])
+
+        samplers = self.read_json("result.json")["samplers"]
+        self.assertEqual([s["sampler"] for s in samplers], ["uniform", "visible", "illuminant", "optimized"])
+        uniform, optimized = samplers[0], samplers[-1]
+        for measure in ["objective_value", "delta_e_64_paths_white", "delta_e_64_paths_reflectances"]:
+            self.assertLess(optimized[measure], 0.5 * uniform[measure], measure)
+        self.assertIn(f"{optimized['delta_e_64_paths_reflectances']:.3f}", out)
+
+
+class Spectrum(CommandTest):
+    def test_describes_a_lamp(self):
+        out = self.photopic("spectrum", "cie:FL11", "--plot", "a.svg", "--json", "a.json").stdout
+        lamp = self.read_json("a.json")
+        self.assertAlmostEqual(lamp["cct_kelvin"], 4000, delta=5)
+        self.assertAlmostEqual(lamp["x"], 0.3805, delta=5e-4)  # CIE 015:2018
+        self.assertAlmostEqual(lamp["y"], 0.3769, delta=5e-4)
+        self.assertIn(545, [line["nm"] for line in lamp["lines"]])
+        self.assertIn("x 0.3805, y 0.377", out)
+        self.assertIn("545.00", out)
+        self.assertEqual(xml.etree.ElementTree.parse(self.folder / "a.svg").getroot().tag, SVG + "svg")
+
+    def test_no_temperature_far_from_the_locus(self):
+        out = self.photopic("spectrum", "line:532", "--json", "a.json").stdout
+        self.assertIsNone(self.read_json("a.json")["cct_kelvin"])
+        self.assertIn("none", out)
+
+    def test_flat_light_has_no_peak(self):
+        self.photopic("spectrum", "constant", "--plot", "a.svg", "--json", "a.json", "--quiet")
+        self.assertIsNone(self.read_json("a.json")["peak_nm"])
+
+    def test_dark_lamps_are_refused(self):
+        (self.folder / "dark.csv").write_text("400 0\n700 0\n")
+        self.assert_refused(["spectrum", "dark.csv"], "dark.csv", "no visible light")
+
+    def test_titles_are_escaped(self):
+        name = '<a> & "b".csv'
+        (self.folder / name).write_text("400 1\n500 2\n600 1\n")
+        self.photopic("spectrum", name, "--plot", "a.svg")
+        root = xml.etree.ElementTree.parse(self.folder / "a.svg").getroot()
+        self.assertIn(name, [text.text for text in root.iter(SVG + "text")])
 
 
 class Cache(CommandTest):
@@ -114,9 +205,10 @@ class Cache(CommandTest):
         return result.stderr.splitlines(), self.read_json("a.json")["optimize_seconds"]
 
     def test_keeps_and_reuses_by_content(self):
-        self.assertGreater(self.render()[1], 0)
-        self.assertEqual(self.render(), ([], 0))
-        self.assertGreater(self.render("--no-cache")[1], 0)
+        first = self.render()  # the seconds are the search's, whenever it was
+        self.assertGreater(first[1], 0)
+        self.assertEqual(self.render(), first)
+        self.assertNotEqual(self.render("--no-cache"), first)
         self.assertEqual(len(list((self.folder / "cache/photopic").iterdir())), 1)
 
     def test_damaged_file_is_reported_and_mended(self):
@@ -127,7 +219,7 @@ class Cache(CommandTest):
         self.assertEqual(len(warnings), 1)
         self.assertIn(str(file), warnings[0])
         self.assertGreater(seconds, 0)
-        self.assertEqual(self.render(), ([], 0))
+        self.assertEqual(self.render(), ([], seconds))
 
 
 class Compare(CommandTest):
@@ -135,7 +227,7 @@ class Compare(CommandTest):
         self.photopic("optimize", "cie:FL11", "-o", "d.json", "--effort", "quick", "--quiet")
         out = self.photopic(
             "compare", self.scene, "--emitter", "cie:FL11", "--distribution", "d.json", "--samplers", "uniform,optimized",
-            "--spp", "8", "--reference-spp", "256", "--curve", "1,4", "--repeat", "2", "--report", "report",
+            "--spp", "8", "--reference-spp", "256", "--curve", "1,8", "--repeat", "2", "--report", "report",
             "--json", "c.json", "--quiet",
         ).stdout  # fmt: skip
         self.assertEqual(out, (self.folder / "report/comparison.txt").read_text())
@@ -153,12 +245,26 @@ class Compare(CommandTest):
         self.assertLess(result["channel_agreement"]["largest_z"], 5)
         self.assertGreater(result["reference"]["estimated_mean_delta_e"], 0)
         self.assertLess(result["reference"]["estimated_mean_delta_e"], optimized["mean_delta_e"])
-        self.assertEqual([curve["spp"] for curve in result["curves"]], [[1, 4], [1, 4]])
+        for run, curve in zip(result["runs"], result["curves"]):
+            self.assertEqual(curve["spp"], [1, 8])
+            self.assertEqual(curve["mean_delta_e"][1], run["mean_delta_e"])  # the run itself
+            self.assertEqual(curve["seconds"][1], run["render_seconds"])
+            self.assertGreater(curve["mean_delta_e"][0], run["mean_delta_e"])
+            self.assertIn(f"{curve['seconds'][0]:.3f}", out)
+        self.assertEqual(optimized["optimize_seconds"], self.read_json("d.json")["optimize_seconds"])
 
         # The images written are those measured.
         self.photopic("diff", "report/reference.exr", "report/uniform.exr", "--json", "diff.json")
         measured = self.read_json("diff.json")["runs"][0]["mean_delta_e"]
         self.assertAlmostEqual(measured, uniform["mean_delta_e"], places=4)
+
+    def test_one_sample_has_no_variance(self):
+        out = self.photopic("compare", self.scene, "--samplers", "uniform,visible", "--spp", "1", "--reference-spp", "2",
+                            "--json", "c.json", "--stats", "--quiet").stdout  # fmt: skip
+        self.assertNotIn("|z|", out)
+        self.assertNotIn("inf", out)
+        self.assertIn("± -", out)
+        self.assertNotIn("channel_agreement", self.read_json("c.json"))
 
     def test_existing_reference(self):
         self.photopic("render", self.scene, "-o", "r.exr", "--sampler", "uniform", "--spp", "8", "--quiet")

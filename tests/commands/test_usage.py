@@ -1,5 +1,6 @@
 """Help, and what is refused: exit code 1, one line on stderr that says what and where, nothing written."""
 
+import json
 import unittest
 
 from harness import CommandTest
@@ -8,9 +9,10 @@ from tiny_scene import write_tiny_scene
 COMMANDS = {
     "render": "--output --spp --sampler --wavelengths --emitter --distribution --resolution --camera --max-depth "
     "--sequence --exposure --seed --threads --quiet --json --stats --batch-size --no-cache",
-    "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --json --quiet",
+    "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet",
     "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter",
     "diff": "--json --threads",
+    "spectrum": "--plot --json --quiet",
 }
 
 
@@ -77,8 +79,37 @@ class Refused(CommandTest):
         self.assert_refused(self.render("--json", "missing/run.json"), "missing/run.json")
         self.assert_refused(["optimize", "cie:A", "-o", "missing/d.json"], "missing/d.json")
         self.assert_refused(["optimize", "cie:A", "-o", "d.json", "--color-bar", "missing/bar.png"], "missing/bar.png")
+        self.assert_refused(["optimize", "cie:A", "-o", "d.json", "--plot", "missing/a.svg"], "missing/a.svg")
+        self.assert_refused(["spectrum", "cie:A", "--plot", "missing/a.svg"], "missing/a.svg")
+        self.assert_refused(["spectrum", "cie:A", "--json", "missing/a.json"], "missing/a.json")
         self.assert_refused(["compare", self.scene, "--report", "missing/report"], "missing/report")
         self.assertFalse((self.folder / "out.exr").exists())
+
+    def test_inputs_and_other_outputs_are_not_overwritten(self):
+        (self.folder / "lamp.csv").write_text("400 1\n700 1\n")
+        (self.folder / "lamp*2.csv").write_text("400 1\n700 1\n")
+        (self.folder / "link.json").symlink_to("lamp.csv")
+        self.photopic(*self.render("--quiet"))
+        before = {path: path.read_bytes() for path in self.folder.iterdir()}
+        render = ["render", self.scene, "-o", "new.exr", "--sampler", "uniform"]
+        for command, name in [
+            (render + ["--json", "tiny.gltf"], "tiny.gltf"),
+            (render + ["--json", "./new.exr"], "new.exr"),
+            (render + ["-o", self.folder / "new.exr"], "new.exr"),
+            (render + ["--emitter", "lamp=lamp.csv", "--json", "lamp.csv"], "lamp.csv"),
+            (["optimize", "lamp.csv", "-o", "lamp.csv"], "lamp.csv"),
+            (["optimize", "cie:A", "lamp.csv*0.5", "-o", "link.json"], "link.json"),
+            (["optimize", "lamp*2.csv", "-o", "lamp*2.csv"], "lamp*2.csv"),
+            (["optimize", "cie:A", "-o", "a.json", "--json", "a.json"], "a.json"),
+            (["optimize", "cie:A", "-o", "a.json", "--plot", "../" + self.folder.name + "/a.json"], "a.json"),
+            (["spectrum", "lamp.csv", "--json", "lamp.csv"], "lamp.csv"),
+            (["diff", "out.exr", "out.exr", "--json", "out.exr"], "out.exr"),
+            (["compare", self.scene, "--json", self.scene], "tiny.gltf"),
+            (["compare", self.scene, "--reference", "out.exr", "--json", "out.exr"], "out.exr"),
+            (["compare", self.scene, "--report", ".", "--json", "comparison.txt"], "comparison.txt"),
+        ]:
+            self.assert_refused(command, name, "written")
+        self.assertEqual({path: path.read_bytes() for path in self.folder.iterdir()}, before)
 
     def test_bad_inputs_are_named(self):
         (self.folder / "broken.gltf").write_text('{"asset": {"version": ')
@@ -121,6 +152,24 @@ class Refused(CommandTest):
         self.assert_refused(render + ["--distribution", "a3.json", "--emitter", "cie:A"], "a3.json", "3")
         self.assert_refused(self.render("--distribution", "a.json"), "--distribution", "optimized")
         self.assertFalse((self.folder / "out.exr").exists())
+
+    def test_lamps_have_powers(self):
+        self.assert_refused(["optimize", "cie:A", "cie:FL11*much", "-o", "d.json"], "cie:FL11*much", "much")
+        self.assert_refused(["optimize", "cie:A*0", "-o", "d.json"], "cie:A*0")
+        self.assert_refused(["optimize", "cie:A*2", "cie:FL99*2", "-o", "d.json"], "FL99")
+
+    def test_distribution_of_several_lamps_must_fit_all_and_their_powers(self):
+        scene = json.loads(self.scene.read_text())
+        wall = scene["materials"][1]
+        wall["emissiveFactor"] = [1.0, 1.0, 1.0]  # 4 m2 of 1 cd/m2; the lamp 0.64 m2 of 5 cd/m2: 0.8 of its power
+        (self.folder / "two.gltf").write_text(json.dumps(scene))
+        render = ["render", "two.gltf", "-o", "out.exr", "--spp", "1", "--quiet", "--resolution", "8x8",
+                  "--emitter", "wall=blackbody:2700", "--emitter", "lamp=cie:FL11", "--distribution", "d.json"]  # fmt: skip
+        for lamps in [["cie:FL11"], ["cie:FL11", "blackbody:2700"], ["cie:FL11*1.25", "blackbody:2700"]]:
+            self.photopic("optimize", *lamps, "-o", "d.json", "--effort", "quick", "--quiet")
+            self.assert_refused(render, "d.json", "another lamp", "blackbody:2700", "cie:FL11*0.8")
+        self.photopic("optimize", "cie:FL11*8", "blackbody:2700*10", "-o", "d.json", "--effort", "quick", "--quiet")
+        self.photopic(*render)
 
     def test_images_of_other_sizes_are_refused(self):
         self.photopic(*self.render("--quiet"))

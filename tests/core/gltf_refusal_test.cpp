@@ -84,6 +84,8 @@ const Fault kFaults[] = {
      }},
     {"/materials/0/extras/reflectance_spectrum",
      [](SquareFile& f) { f.materials = R"([{"extras": {"reflectance_spectrum": "no-such-file.csv"}}])"; }},
+    {"/materials/0/extras",
+     [](SquareFile& f) { f.materials = R"([{"extras": {"emision_spectrum": "cie:A"}}])"; }},
     {"/materials/0/extras/reflectance_spectrum",
      [](SquareFile& f) { f.materials = R"([{"extras": {"reflectance_spectrum": 7}}])"; }},
     {"/cameras/0/perspective/yfov",

@@ -63,6 +63,28 @@ TEST_F(ImageIo, ExrCarriesMetadata) {
   EXPECT_NE(bytes.find("lamp=cie:FL11"), std::string::npos);
 }
 
+TEST_F(ImageIo, PngCarriesMetadataAndIsTheSameTwice) {
+  const auto bytes = [&](const char* name) {
+    write_image(folder_ / name, test_image(), {{"spectra", "lamp=cie:FL11"}, {"spp", "64"}});
+    std::ifstream stream(folder_ / name, std::ios::binary);
+    return std::string((std::istreambuf_iterator<char>(stream)), {});
+  };
+  const std::string png = bytes("a.png");
+  // A text chunk: type, keyword, zero, text (PNG, 3rd edition, 11.3.3.2).
+  EXPECT_NE(png.find(std::string("tEXtspectra\0lamp=cie:FL11", 25)), std::string::npos);
+  EXPECT_NE(png.find(std::string("tEXtspp\00064", 10)), std::string::npos);
+  EXPECT_EQ(png, bytes("b.PNG"));
+}
+
+TEST_F(ImageIo, LinksAreFollowedWhateverTheirTargetIsCalled) {
+  std::ofstream(folder_ / "target.dat") << "old";
+  std::filesystem::create_symlink("target.dat", folder_ / "a.exr");
+  write_image(folder_ / "a.exr", test_image());
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "a.exr"));
+  EXPECT_EQ(read_image(folder_ / "a.exr").width, 7);
+  EXPECT_EQ(file_count(), 2u);
+}
+
 TEST_F(ImageIo, HdrIsCloseForPositiveValues) {
   Image image(16, 4);  // shared exponents: 8 bits of the brightest channel
   for (std::size_t i = 0; i < image.pixels.size(); ++i)

@@ -79,8 +79,8 @@ TEST(ClosedForm, FloorUnderRectangleLamp) {
   const PreparedScene scene(b.build());
   const Xyz expected = xyz_of(fl11(), 5.0, paint) * form_factor(0.8, 0.5, 1.0);
   for (const WavelengthSampler& s : all_samplers(scene_emission(scene))) {
-    expect_xyz(render(scene, s, options(2000, 2)), expected, 8, std::string(sampler_name(s)), 3e-4);
-    expect_xyz(render_naive(scene, s, options(4000, 2)), expected, 8, std::string(sampler_name(s)), 3e-4);
+    expect_xyz(render(scene, s, options(8000, 2)), expected, 8, std::string(sampler_name(s)), 3e-4);
+    expect_xyz(render_naive(scene, s, options(8000, 2)), expected, 8, std::string(sampler_name(s)), 3e-4);
   }
 }
 

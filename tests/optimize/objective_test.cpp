@@ -67,7 +67,7 @@ TEST(TargetBasis, KeepsEveryTargetsColor) {
   const Targets targets = targets_for("FL11", Objective::asymptotic);
   const Emitter lamp = make_emitter(targets.mixed);
   const TargetBasis basis =
-      target_basis(base_density(targets.mixed), std::span(&lamp, 1), targets.reflectances, false);
+      target_basis(base_density(targets.mixed), std::span(&lamp, 1), targets.reflectances, d65_white());
   for (std::size_t m = 0; m < targets.reflectances.size(); ++m) {
     const Xyz color =
         emission_xyz(tabulate_product(lamp.emission, targets.reflectances[m]), Observer::cie1931()) *

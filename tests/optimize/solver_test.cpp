@@ -7,9 +7,12 @@
 #include <cmath>
 #include <random>
 
+#include "optimize/reflectance_set.h"
+#include "optimize/sampler_value.h"
 #include "optimize/target_table.h"
 #include "spectral/color_difference.h"
 #include "spectral/illuminants.h"
+#include "spectral/lamp_set.h"
 #include "spectral/observer.h"
 #include "spectral/wavelength_checks.h"
 
@@ -145,8 +148,9 @@ TEST(Solver, ScaleOfTheLampDoesNotMatter) {
 }
 
 TEST(Solver, SeveralLampsAreServedTogether) {
-  const std::vector<TabulatedSpectrum> lamps{tabulate_emission(*cie_illuminant("LED-B3")),
-                                             tabulate_emission(*cie_illuminant("FL11"))};
+  const std::vector<TabulatedSpectrum> raw{tabulate_emission(*cie_illuminant("LED-B3")),
+                                           tabulate_emission(*cie_illuminant("FL11"))};
+  const std::vector<TabulatedSpectrum> lamps = lamp_set(raw, std::vector{1.0, 1.0});
   OptimizeOptions options;
   options.effort = Effort::quick;
   const WavelengthDistribution found = optimize_distribution(lamps, options).distribution;
@@ -159,6 +163,58 @@ TEST(Solver, SeveralLampsAreServedTogether) {
   EXPECT_LT(optimized, uniform / 3.0);
   EXPECT_LT(optimized, visible / 1.5);
 }
+
+/// Two lamps, one of smooth and one of line spectrum, of these relative powers.
+std::vector<TabulatedSpectrum> a_and_fl11(double power_of_a) {
+  const std::vector<TabulatedSpectrum> lamps{tabulate_emission(*cie_illuminant("A")),
+                                             tabulate_emission(*cie_illuminant("FL11"))};
+  return lamp_set(lamps, std::vector{power_of_a, 1.0});
+}
+
+double value_under(const char* lamp, const WavelengthDistribution& found) {
+  const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant(lamp));
+  return sampler_value(OptimizedWavelengths(found),
+                       {Objective::asymptotic, White::d65, emission, {emission}, target_reflectances(24, 7)});
+}
+
+TEST(Solver, TheStrongerLampIsServedBetter) {
+  OptimizeOptions options;
+  options.effort = Effort::quick;
+  const auto mostly_a = optimize_distribution(a_and_fl11(10.0), options).distribution,
+             mostly_fl11 = optimize_distribution(a_and_fl11(0.1), options).distribution;
+  EXPECT_LT(value_under("A", mostly_a), 0.8 * value_under("A", mostly_fl11));
+  EXPECT_LT(value_under("FL11", mostly_fl11), 0.8 * value_under("FL11", mostly_a));
+}
+
+TEST(Solver, SeveralLampsAreUnbiasedOneByOne) {
+  OptimizeOptions options;
+  options.effort = Effort::quick;
+  const std::vector<TabulatedSpectrum> lamps = a_and_fl11(0.3);
+  const WavelengthDistribution found = optimize_distribution(lamps, options).distribution;
+  for (const TabulatedSpectrum& lamp : lamps) {
+    const Xyz mean = test::mean_estimate(OptimizedWavelengths(found), lamp);
+    const Xyz exact = emission_xyz(lamp, Observer::cie1931());
+    EXPECT_NEAR(mean.x / exact.x, 1.0, 1e-5);
+    EXPECT_NEAR(mean.y / exact.y, 1.0, 1e-5);
+    EXPECT_NEAR(mean.z / exact.z, 1.0, 1e-5);
+  }
+}
+
+class NeverWorse : public testing::TestWithParam<int> {};
+
+/// Than the samplers that need no optimisation, by the objective, under every lamp of the standard. (Eight
+/// wavelengths take long: every sixteenth lamp.)
+TEST_P(NeverWorse, ThanTheBaselines) {
+  const std::vector<std::string_view> names = cie_illuminant_names();
+  for (std::size_t i = 0; i < names.size(); i += GetParam() == 8 ? 16 : 1) {
+    const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant(names[i]));
+    const WavelengthDistribution found = quick(emission, GetParam()).distribution;
+    EXPECT_LE(found.value, found.illuminant_value) << names[i];
+    EXPECT_LE(found.value, found.visible_value) << names[i];
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Wavelengths, NeverWorse, testing::Values(1, 4, 8));
 
 TEST(Solver, RefusesWhatCannotBeDone) {
   const TabulatedSpectrum dark({400.0, 700.0}, {0.0, 0.0}, Beyond::zero);

@@ -84,6 +84,7 @@ TEST_F(DistributionFile, ComesBackToTheLastBit) {
   good_.spectrum = "cie:FL11, \"quoted\"";
   good_.spectrum_digest = "0123456789abcdef";
   good_.objective = "asymptotic";
+  good_.optimize_seconds = 0.1;
   good_.value = 2.3456789012345678;
   good_.illuminant_value = 12.5, good_.visible_value = 1.0 / 3.0, good_.uniform_value = 30.0;
   write_distribution(file_, good_);
@@ -91,6 +92,7 @@ TEST_F(DistributionFile, ComesBackToTheLastBit) {
   EXPECT_EQ(read.spectrum, good_.spectrum);
   EXPECT_EQ(read.spectrum_digest, good_.spectrum_digest);
   EXPECT_EQ(read.objective, good_.objective);
+  EXPECT_EQ(read.optimize_seconds, good_.optimize_seconds);
   EXPECT_EQ(read.value, good_.value);
   EXPECT_EQ(read.illuminant_value, good_.illuminant_value);
   EXPECT_EQ(read.visible_value, good_.visible_value);
@@ -111,6 +113,16 @@ TEST_F(DistributionFile, LeavesNothingBehind) {
   EXPECT_THROW(write_distribution(folder_ / "nowhere" / "lamp.json", good_), InputError);
 }
 
+TEST_F(DistributionFile, LinksAreFollowed) {
+  std::filesystem::create_directories(folder_ / "store");
+  std::ofstream(folder_ / "store" / "real.json") << "old";
+  std::filesystem::create_symlink("store/real.json", file_);
+  write_distribution(file_, good_);
+  EXPECT_TRUE(std::filesystem::is_symlink(file_));
+  EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(folder_ / "store/real.json")));
+  EXPECT_EQ(read_distribution(folder_ / "store" / "real.json").components.size(), 4u);
+}
+
 TEST_F(DistributionFile, NamesWhatIsWrongAndWhere) {
   const auto expect = [&](const std::string& part, const std::string& replacement, const std::string& place) {
     const std::string problem = complaint(part, replacement);
@@ -118,7 +130,7 @@ TEST_F(DistributionFile, NamesWhatIsWrongAndWhere) {
     EXPECT_NE(problem.find(place), std::string::npos) << part << " -> " << replacement << ": " << problem;
     EXPECT_EQ(problem.find('\n'), std::string::npos);
   };
-  expect("\"version\": 1", "\"version\": 2", "#/version");
+  expect("\"version\": 2", "\"version\": 1", "#/version");
   expect("\"version\"", "\"vision\"", "vision");
   expect("\"value\": 0.0", "\"value\": \"0\"", "#/value");
   expect("\"value\": 0.0", "\"value\": 1e999", "");

@@ -12,7 +12,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 constexpr std::size_t kMaxVertices = 100'000'000, kMaxTriangles = 100'000'000;  // some 4 GB, instances baked
-constexpr double kMaxCoordinate = 1e15;  // squared areas still fit a float's range
+constexpr double kMaxCoordinate = 1e15;                                         // its square fits a float
 
 /// One primitive of one mesh under one node.
 struct Part {

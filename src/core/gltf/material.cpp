@@ -73,9 +73,21 @@ Spectrum base_color(const GltfDocument& document, std::size_t index) {
   return given->spectrum;
 }
 
+/// A misspelt key would make a wrong picture without a word.
+void check_spectrum_keys(const GltfDocument& document, std::size_t index) {
+  const tinygltf::Value& extras = document.model.materials[index].extras;
+  if (!extras.IsObject()) return;
+  for (const std::string& key : extras.Keys()) {
+    if (!key.ends_with("_spectrum") || key == "emission_spectrum" || key == "reflectance_spectrum") continue;
+    document.fail(fmt::format("/materials/{}/extras", index), fmt::format("\"{}\" is not known", key),
+                  "write \"emission_spectrum\" or \"reflectance_spectrum\"");
+  }
+}
+
 Material load_material(const GltfDocument& document, std::size_t index) {
   const tinygltf::Material& source = document.model.materials[index];
   const std::string pointer = fmt::format("/materials/{}", index);
+  check_spectrum_keys(document, index);
   const Extension specular(source, "KHR_materials_specular"), ior(source, "KHR_materials_ior");
   const Extension transmission(source, "KHR_materials_transmission"), volume(source, "KHR_materials_volume");
 

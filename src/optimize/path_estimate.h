@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "optimize/target_table.h"
+#include "spectral/wavelength_sampler.h"
+
+namespace photopic {
+
+/// What one path estimates of surfaces under a lamp, scaled to Y = 1 for R = 1.
+class PathEstimate {
+ public:
+  /// @param sampler must outlive this  @throws std::invalid_argument when the emission has no luminance
+  PathEstimate(const WavelengthSampler& sampler, const TabulatedSpectrum& emission);
+
+  /// Traces the path of one u in [0, 1).
+  void draw(double u);
+
+  std::span<const double> lambda() const { return lambda_; }  ///< the path's wavelengths [nm]
+  Xyz white() const;                                          ///< E(u) for R = 1
+  Xyz seen(const Spectrum& reflectance) const;                ///< E(u) for a reflectance
+
+  /// What seen() is on average: scale·∫ h I R dλ.
+  Xyz expected(const Spectrum& reflectance) const;
+
+ private:
+  const WavelengthSampler& sampler_;
+  Emitter emitter_;
+  std::vector<double> lambda_, density_sum_;
+  std::vector<Xyz> weight_;  ///< what X, Y, Z gain at each wavelength for R = 1
+};
+
+}  // namespace photopic

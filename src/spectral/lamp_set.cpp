@@ -1,0 +1,87 @@
+#include "spectral/lamp_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+
+#include "spectral/observer.h"
+
+namespace photopic {
+namespace {
+
+constexpr double kStepsPerDecade = 100.0;
+
+double luminance(const TabulatedSpectrum& emission) {
+  return emission_xyz(emission, Observer::cie1931()).y;
+}
+
+/// How far a power lies below the strongest, in steps.
+std::int64_t steps_below(double power, double strongest) {
+  return std::llround(kStepsPerDecade * std::log10(strongest / power));
+}
+
+/// A lamp and the power of all that are equal to it.
+struct Lamp {
+  const TabulatedSpectrum* emission;
+  double power;
+};
+
+}  // namespace
+
+std::vector<TabulatedSpectrum> lamp_set(std::span<const TabulatedSpectrum> emissions,
+                                        std::span<const double> powers) {
+  if (emissions.size() != powers.size()) throw std::invalid_argument("as many powers as lamps are needed");
+  std::map<std::string, Lamp> lamps;
+  double strongest = 0.0;
+  for (std::size_t i = 0; i < emissions.size(); ++i) {
+    if (!(powers[i] >= 0.0) || !std::isfinite(powers[i]))
+      throw std::invalid_argument("a lamp's power is negative or not finite");
+    if (powers[i] == 0.0 || !(luminance(emissions[i]) > 0.0)) continue;
+    Lamp& lamp = lamps.try_emplace(digest(emissions[i]), Lamp{&emissions[i], 0.0}).first->second;
+    lamp.power += powers[i];
+    strongest = std::max(strongest, lamp.power);
+  }
+
+  if (lamps.size() == 1) return {*lamps.begin()->second.emission};
+  std::vector<TabulatedSpectrum> set;
+  for (const auto& [key, lamp] : lamps) {
+    const double steps = static_cast<double>(steps_below(lamp.power, strongest));
+    set.push_back(
+        lamp.emission->scaled(std::pow(10.0, -steps / kStepsPerDecade) / luminance(*lamp.emission)));
+  }
+  return set;
+}
+
+TabulatedSpectrum mixed_light(std::span<const TabulatedSpectrum> lamps) {
+  return lamps.size() == 1 ? lamps[0] : mix_emissions(lamps, std::vector<double>(lamps.size(), 1.0));
+}
+
+std::vector<double> luminance_shares(std::span<const TabulatedSpectrum> lamps) {
+  if (lamps.size() == 1) return {1.0};
+  std::vector<double> shares;
+  double total = 0.0;
+  for (const TabulatedSpectrum& lamp : lamps) total += shares.emplace_back(luminance(lamp));
+  for (double& share : shares) share /= total;
+  return shares;
+}
+
+std::string digest(std::span<const TabulatedSpectrum> lamps) {
+  if (lamps.size() == 1) return digest(lamps[0]);
+  const std::vector<double> shares = luminance_shares(lamps);
+  const double strongest = *std::max_element(shares.begin(), shares.end());
+
+  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, as for one lamp
+  const auto add = [&hash](std::uint64_t byte) { hash = (hash ^ (byte & 0xffu)) * 0x100000001b3u; };
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    for (const char digit : digest(lamps[i])) add(static_cast<unsigned char>(digit));
+    const auto steps = static_cast<std::uint64_t>(steps_below(shares[i], strongest));
+    for (int byte = 0; byte < 8; ++byte) add(steps >> (8 * byte));
+  }
+  std::string text(16, '0');
+  for (int digit = 0; digit < 16; ++digit) text[digit] = "0123456789abcdef"[(hash >> (60 - 4 * digit)) & 15];
+  return text;
+}
+
+}  // namespace photopic
