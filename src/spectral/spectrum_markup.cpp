@@ -25,6 +25,8 @@ Json parse_json(const std::string& name, std::string_view text) {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
     throw InputError(place(name, line_of(text, error.byte)), "not valid JSON", "mend it or export it anew");
+  } catch (const Json::out_of_range&) {
+    throw InputError(name, "holds a number too large for a double", "mend it or export it anew");
   }
 }
 

@@ -169,8 +169,12 @@ WavelengthDistribution read_distribution(const std::filesystem::path& file) {
   Json json;
   try {
     json = Json::parse(in);
-  } catch (const Json::exception& problem) {
-    throw InputError(file.string(), problem.what(), "write the file anew with 'photopic optimize'");
+  } catch (const Json::parse_error& problem) {
+    throw InputError(file.string(), "not valid JSON at byte " + std::to_string(problem.byte),
+                     "write the file anew with 'photopic optimize'");
+  } catch (const Json::out_of_range&) {
+    throw InputError(file.string(), "holds a number too large for a double",
+                     "write the file anew with 'photopic optimize'");
   }
   return from_json(Place(file.string(), json));
 }

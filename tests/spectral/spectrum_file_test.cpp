@@ -94,6 +94,7 @@ TEST_F(SpectrumFile, LspddJson) {
                               R"({\"wavelength\": 420.5, \"relativeIntensity\": 0.5}]"})");
   expect_three_rows("l.json", R"({"nm": [400, 410, 420.5], "value": [0.25, 1, 0.5]})");
   expect_error("l.json", "{\n\"spectraldata\": ", "l.json:2");
+  expect_error("l.json", R"({"spectraldata": [[400, 1e999], [500, 1]]})", "too large");
   expect_error("l.json", R"({"spectraldata": "400,0.25\n410,x\n"})", "#spectraldata:2: 'x' is not a number");
   expect_error("l.json", R"({"spectraldata": "400,0.25,410"})", "without its value");
   expect_error("l.json", R"({"spectraldata": [[400, 0.25], [410]]})", ":2");

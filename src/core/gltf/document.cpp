@@ -14,7 +14,9 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// The parser's message without its own tag, "[json.exception…] ", fit for one line.
 std::string one_line(std::string text) {
+  if (const std::size_t tag = text.find("] "); tag != std::string::npos) text.erase(0, tag + 2);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   std::ranges::replace_if(
       text, [](unsigned char c) { return c < 32; }, ' ');
