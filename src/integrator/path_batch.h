@@ -35,8 +35,6 @@ struct PathBatch {
     for (auto& queue : by_kind) queue.reserve(capacity);
   }
 
-  std::size_t capacity() const { return hits.size(); }
-
   /// Emission spectrum k at the slot's wavelengths.
   SampledSpectrum<N>& emission_of(std::uint32_t slot, int k) {
     return emission[slot * emission_count_ + static_cast<std::size_t>(k)];

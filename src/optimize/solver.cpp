@@ -176,14 +176,11 @@ std::vector<double> visible_shares(const OptimizeOptions& options) {
 }
 
 Targets make_targets(std::span<const TabulatedSpectrum> emissions, const OptimizeOptions& options) {
-  std::vector<Spectrum> reflectances = target_reflectances(kTargets, options.seed);
-  reflectances.insert(reflectances.end(), options.extra_reflectances.begin(),
-                      options.extra_reflectances.end());
   return {options.objective,
           options.white,
           mixed_light(emissions),
           {emissions.begin(), emissions.end()},
-          std::move(reflectances)};
+          target_reflectances(kTargets, options.seed)};
 }
 
 /// A candidate as a distribution, judged by its spectra.
@@ -231,7 +228,7 @@ OptimizeResult search_with(const PiecewiseLinearDensity& base, const Targets& ta
 /// Where the search found nothing as good as the `illuminant` or the `visible` sampler: descends from these,
 /// and if that is not enough takes them as they are. Both are N equal strata of a density that a base can be
 /// (for `visible`, u_j = frac(u + j/N) visits the same sets of N wavelengths as the strata do). Finer nodes
-/// make the strata's edges steeper; at the finest they give the sampler's own value to a thousandth.
+/// make the strata's edges steeper and so come nearer to the sampler itself.
 void catch_up(OptimizeResult& result, const Targets& targets, const SearchLevel& level, int& evaluations) {
   constexpr int kSteepest = 8192;
   WavelengthDistribution& best = result.distribution;

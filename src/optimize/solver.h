@@ -20,7 +20,6 @@ struct OptimizeOptions {
   White white = White::d65;
   std::uint64_t seed = 1;
   Effort effort = Effort::normal;
-  std::vector<Spectrum> extra_reflectances = {};  ///< targets beside R = 1 and the sigmoid polynomials
 };
 
 struct OptimizeResult {
