@@ -47,8 +47,8 @@ Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
   Scene scene;
   const std::vector<NodeInstance> instances = walk_nodes(document, scene.warnings);
   warn_of_extensions(document, scene.warnings);
-  load_gltf_geometry(document, instances, scene);
   load_gltf_materials(document, scene);
+  load_gltf_geometry(document, instances, scene);
   load_gltf_emission(document, options.emitters, scene);
   load_gltf_camera(document, instances, options, scene);
   if (!options.allow_incomplete) check_complete(document, scene);

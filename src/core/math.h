@@ -24,6 +24,15 @@ struct Vec3 {
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
 
+struct Vec2f {
+  float x = 0, y = 0;
+  bool operator==(const Vec2f&) const = default;
+};
+struct Vec4f {
+  float x = 0, y = 0, z = 0, w = 0;
+  bool operator==(const Vec4f&) const = default;
+};
+
 template <typename T>
 T dot(Vec3<T> a, Vec3<T> b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;

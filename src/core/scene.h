@@ -27,23 +27,35 @@ struct Material {
   float attenuation_distance = 0.0f;                   ///< [m]; 0: no absorption
   bool double_sided = false;                           ///< single-sided surfaces emit from their front only
 
+  std::uint8_t uv_sets = 0;  ///< bit i: a texture of it reads TEXCOORD_i; the geometry stores no other
+  bool needs_tangents =
+      false;  ///< it has a normal map (or is anisotropic): TANGENT is stored if the file has it
+
   int emission_spectrum = -1;       ///< index into Scene::emission_spectra, −1: emits nothing
   float emission_luminance = 0.0f;  ///< factor on that spectrum, which has unit luminance [cd/m²]
 };
 
-/// A range of triangles that share a material: one glTF primitive under one node.
+/// A range of triangles that share a material: one glTF primitive, under one node or, where instances share
+/// it, under many.
 struct Shape {
   std::uint32_t first_triangle = 0, triangle_count = 0;
   std::uint32_t material = 0;
 };
 
-/// Triangles in world space, relative to Scene::origin [m].
+inline constexpr int kUvSets = 4;
+
+/// Triangles in world space, relative to Scene::origin [m]; those of prototypes in the prototype's own space.
 struct Geometry {
   std::vector<Vec3f> positions;
-  std::vector<Vec3f> normals;  ///< as many as positions: unit shading normals, zero where the surface is flat
   std::vector<std::array<std::uint32_t, 3>>
       triangles;              ///< indices into positions; counter-clockwise seen from the front
   std::vector<Shape> shapes;  ///< cover the triangles in order
+
+  // Per vertex; each is as long as positions, or empty where no surface of the scene needs it.
+  std::vector<Vec3f> normals;                   ///< unit shading normals, zero where the surface is flat
+  std::vector<Vec4f> tangents;                  ///< unit, w the bitangent's sign; zero where not given
+  std::array<std::vector<Vec2f>, kUvSets> uvs;  ///< TEXCOORD_0 … 3; zero where not given
+  std::vector<Vec4f> colors;                    ///< COLOR_0, linear RGBA, a factor on the base colour; else 1
 };
 
 /// Everything a render needs to know, without acceleration structures.
