@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "commands.h"
@@ -11,6 +12,7 @@
 #include "sampler_choice.h"
 #include "scene_setup.h"
 #include "stopwatch.h"
+#include "white_balance.h"
 
 namespace photopic {
 namespace {
@@ -25,7 +27,11 @@ void check_outputs(const RenderArguments& arguments) {
   if (!arguments.json.empty()) check_writable_file(arguments.json);
   std::vector<std::filesystem::path> outputs = arguments.outputs;
   outputs.push_back(arguments.json);
-  check_no_overwriting(outputs, input_files(arguments.scene));
+  if (arguments.color == "xyz" && std::ranges::none_of(arguments.outputs, can_hold_xyz))
+    throw InputError("--color xyz", "no output is an .exr, which alone can hold CIE XYZ", "add -o NAME.exr");
+  std::vector<std::filesystem::path> inputs = input_files(arguments.scene);
+  inputs.push_back(arguments.white_balance);
+  check_no_overwriting(outputs, inputs);
 }
 
 void write_json(const RenderArguments& arguments, const Scene& scene, const Run& run,
@@ -64,6 +70,15 @@ void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
   fmt::print("means:    {}\n", format_means(run));
 }
 
+void write_images(const RenderArguments& arguments, const Film& film, const ChromaticAdaptation& adaptation,
+                  const Scene& scene, const Run& run) {
+  const Image srgb = film.to_linear_srgb(adaptation);
+  for (const auto& output : arguments.outputs) {
+    const bool xyz = arguments.color == "xyz" && can_hold_xyz(output);
+    write_render(output, xyz ? film.to_xyz() : srgb, arguments.scene, scene, run);
+  }
+}
+
 int interrupted_early() {
   print_warning("interrupted before the first sample: nothing is written");
   return kExitInterrupted;
@@ -88,6 +103,9 @@ int run_render(const RenderArguments& arguments) {
   const PreparedScene scene(std::move(loaded));
   times.prepare = prepare_watch.seconds();
 
+  const ChromaticAdaptation adaptation =
+      white_balance(arguments.white_balance, standard_observer(options), scene);
+
   const Stopwatch optimize_watch;
   const ChosenSampler chosen =
       choose_sampler(arguments.sampler, scene, distribution_request(options, scene, wavelengths, "D65"));
@@ -101,8 +119,7 @@ int run_render(const RenderArguments& arguments) {
   run.optimize_seconds = chosen.optimize_seconds;
   run.image = arguments.outputs.front().string();
   const Stopwatch write_watch;
-  const Image image = result.film.to_linear_srgb();
-  for (const auto& output : arguments.outputs) write_render(output, image, options, scene.scene, run);
+  write_images(arguments, result.film, adaptation, scene.scene, run);
   times.write = write_watch.seconds();
 
   if (!arguments.json.empty()) write_json(arguments, scene.scene, run, times);

@@ -71,10 +71,15 @@ Scene load_scene(const SceneArguments& arguments) {
   return scene;
 }
 
+const Observer& standard_observer(const SceneArguments& arguments) {
+  return arguments.observer == 1964 ? Observer::cie1964() : Observer::cie1931();
+}
+
 RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint32_t seed,
                              Progress* progress) {
   return {.spp = spp,
           .sequence = arguments.sequence == "independent" ? Sequence::independent : Sequence::sobol,
+          .observer = &standard_observer(arguments),
           .seed = seed,
           .max_depth = arguments.max_depth,
           .batch_size = arguments.batch_size,
@@ -104,6 +109,8 @@ void write_render(const std::filesystem::path& file, const Image& image, const S
                        {"spp", std::to_string(run.spp)},
                        {"wavelengths", std::to_string(run.wavelengths)},
                        {"seed", std::to_string(run.seed)},
+                       {"observer", fmt::format("CIE {}", arguments.observer)},
+                       {"color", image.space == ColorSpace::xyz ? "CIE XYZ" : "linear sRGB"},
                        {"spectra", fmt::format("{}", fmt::join(scene.emission_names, ", "))},
                        {"version", "photopic " PHOTOPIC_VERSION}};
   if (is_float_image(file)) metadata["render_seconds"] = fmt::format("{:.3f}", run.render_seconds);

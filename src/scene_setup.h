@@ -20,6 +20,8 @@ std::vector<std::filesystem::path> input_files(const SceneArguments& arguments);
 /// @throws InputError
 Scene load_scene(const SceneArguments& arguments);
 
+const Observer& standard_observer(const SceneArguments& arguments);
+
 /// The options of one render of `spp` samples; it stops at the first SIGINT.
 RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint32_t seed,
                              Progress* progress);
