@@ -14,7 +14,8 @@ constexpr const char* kSpectrumHelp =
     "cie:A|D50|D65|E|FL1…FL12|…,\n"
     "blackbody:KELVIN, line:NM[:FWHM] or constant.";
 
-const CLI::Range kSamplesRange(1, 1 << 24);
+constexpr int kMaxSamples = 1 << 24;
+const CLI::Range kSamplesRange(1, kMaxSamples);
 
 CLI::Validator one_of(std::vector<std::string> names) {
   return CLI::IsMember(std::move(names));
@@ -142,6 +143,23 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       ->capture_default_str()
       ->check(one_of({"uniform", "visible", "illuminant", "optimized"}))
       ->type_name("NAME");
+  command
+      .add_option("--time", a->scene.seconds,
+                  "End the render after so many seconds, scene and optimisation not counted; without --spp "
+                  "as many samples as fit")
+      ->check(CLI::Range(1e-3, 1e9))
+      ->type_name("SECONDS");
+  command
+      .add_option(
+          "--target-error", a->scene.target_error,
+          "End each 16x16 pixels when their expected mean ΔE (CIEDE2000, 0 EV) is this or less; without "
+          "--spp however many samples that takes")
+      ->check(CLI::Range(1e-3, 1e3))
+      ->type_name("ΔE");
+  command.parse_complete_callback([a, &command] {
+    const bool limited = a->scene.seconds > 0 || a->scene.target_error > 0;
+    if (limited && command.count("--spp") == 0) a->scene.spp = kMaxSamples;
+  });
   command
       .add_option("--color", a->color,
                   "What an EXR holds: srgb (linear sRGB) or xyz (CIE XYZ as observed, without white balance)")

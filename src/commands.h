@@ -23,7 +23,9 @@ struct SceneArguments {
   std::string camera;                 ///< empty: the scene's first
   std::string resolution;             ///< "WxH" [pixels]; empty: the camera's
 
-  int spp = 64;                        ///< samples per pixel
+  int spp = 64;                        ///< samples per pixel, at most
+  double seconds = 0;                  ///< end a render after so long; 0: no limit
+  double target_error = 0;             ///< expected mean ΔE at which a part of the image is done; 0: none
   int wavelengths = 0;                 ///< a path's: 1, 4, 8 or 16; 0: the distribution's, else 4
   std::filesystem::path distribution;  ///< of the optimised sampler; empty: optimise on the spot
   bool no_cache = false;
