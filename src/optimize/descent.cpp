@@ -41,6 +41,7 @@ struct Watched {
   const DescentLimits& limits;
   nlopt_opt solver;
   Descent& descent;
+  bool stopped = false;
   std::exception_ptr thrown = {};
 
   double operator()(std::span<const double> v, std::span<double> gradient) {
@@ -52,6 +53,7 @@ struct Watched {
     return value;
   }
   double end() {
+    stopped = true;
     nlopt_force_stop(solver);
     return HUGE_VAL;
   }
@@ -89,8 +91,8 @@ Descent descend(const Differentiable& function, std::vector<double> v, const Des
   double value = 0.0;
   const nlopt_result result = nlopt_optimize(solver.get(), v.data(), &value);
   if (watched.thrown) std::rethrow_exception(watched.thrown);
-  const bool normal = result > 0 || result == NLOPT_ROUNDOFF_LIMITED || result == NLOPT_FORCED_STOP;
-  descent.failed = !normal || (result != NLOPT_FORCED_STOP && !std::isfinite(descent.value));
+  const bool normal = (result > 0 || result == NLOPT_ROUNDOFF_LIMITED) && std::isfinite(descent.value);
+  descent.failed = !normal && !watched.stopped;
   descent.note = nlopt_result_to_string(result);
   return descent;
 }
