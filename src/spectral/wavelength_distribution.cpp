@@ -172,7 +172,6 @@ WavelengthDistribution from_json(const Place& root) {
   const bool stepped = root.at("stepped").truth();
   return {.base = read_base(root.at("base")),
           .components = read_components(root.at("components"), stepped),
-          .stepped = stepped,
           .spectrum = root.at("spectrum").text(),
           .spectrum_digest = root.at("spectrum_digest").text(),
           .objective = root.at("objective").text(),
@@ -181,7 +180,8 @@ WavelengthDistribution from_json(const Place& root) {
           .value = root.at("value").number(),
           .illuminant_value = baselines.at("illuminant").number(),
           .visible_value = baselines.at("visible").number(),
-          .uniform_value = baselines.at("uniform").number()};
+          .uniform_value = baselines.at("uniform").number(),
+          .stepped = stepped};
 }
 
 }  // namespace

@@ -41,7 +41,6 @@ struct WavelengthDistribution {
 
   PiecewiseLinearDensity base;
   std::vector<Component> components;  ///< N of them
-  bool stepped = false;               ///< constant on equal cells of t, rather than linear
 
   // Where it comes from: kept in the file, so that a render can refuse a distribution made for another lamp.
   std::string spectrum = {};         ///< as the user named it
@@ -51,6 +50,8 @@ struct WavelengthDistribution {
   double optimize_seconds = 0.0;  ///< wall clock of the search
   double value = 0.0;             ///< the objective's value reached [ΔE]
   double illuminant_value = 0.0, visible_value = 0.0, uniform_value = 0.0;  ///< the baselines' [ΔE]
+
+  bool stepped = false;  ///< the densities are constant on equal cells of t, rather than linear
 };
 
 /// The q_k, all with the same knots.
