@@ -22,8 +22,8 @@ const CLI::Validator kFinite(
     },
     "-100…100");
 
-/// @param served what the --distribution serves
-void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served) {
+/// What a scene is loaded with.
+void bind_scene_file(CLI::App& command, SceneArguments& a) {
   command.add_option("SCENE", a.scene, "A glTF 2.0 file, .gltf or .glb")->required()->type_name("");
   command
       .add_option("--emitter", a.emitters,
@@ -35,7 +35,11 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
       ->type_name("WxH");
   command.add_option("--camera", a.camera, "The camera's name; the scene's first if not given")
       ->type_name("NAME");
+}
 
+/// @param served what the --distribution serves
+void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served) {
+  bind_scene_file(command, a);
   command.add_option("--spp", a.spp, "Samples per pixel")
       ->capture_default_str()
       ->check(kSamplesRange)
@@ -187,6 +191,19 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
       "\n\nExample: photopic compare box.gltf --emitter cie:FL11 --samplers uniform,optimized --report out");
 }
 
+void bind_info(CLI::App& app, std::function<int()>& action, int& threads) {
+  auto a = std::make_shared<InfoArguments>();
+  CLI::App& command = *add_command(
+      app, "info", "Describe a scene: what it holds and what a render of it will use", action, run_info, a);
+  bind_scene_file(command, a->scene);
+  bind_threads(command, threads);
+  bind_json(command, a->json);
+  command.footer(
+      std::string(kSpectrumHelp) +
+      "\n\nLuminances are in cd/m², luminous fluxes in lm, lengths in m. Memory is an estimate.\n\n"
+      "Example: photopic info box.gltf --json box.json");
+}
+
 void bind_spectrum(CLI::App& app, std::function<int()>& action) {
   auto a = std::make_shared<SpectrumArguments>();
   CLI::App& command = *add_command(app, "spectrum", "Describe a lamp: its colour, temperature and lines",
@@ -219,6 +236,7 @@ void bind_diff(CLI::App& app, std::function<int()>& action, int& threads) {
 
 void bind_commands(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_render(app, action, threads);
+  bind_info(app, action, threads);
   bind_optimize(app, action, threads);
   bind_compare(app, action, threads);
   bind_spectrum(app, action);

@@ -62,6 +62,12 @@ struct CompareArguments {
 };
 int run_compare(const CompareArguments& arguments);
 
+struct InfoArguments {
+  SceneArguments scene;  ///< the file, camera, resolution and emitters alone
+  std::filesystem::path json;
+};
+int run_info(const InfoArguments& arguments);
+
 struct OptimizeArguments {
   std::vector<std::string> spectra;      ///< "SPECTRUM[*POWER]"
   std::filesystem::path output;          ///< empty where wavelengths are compared

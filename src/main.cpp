@@ -21,7 +21,7 @@ namespace {
 
 /// An error message is one line, whatever its author wrote.
 void print_error(const std::string& text) {
-  fmt::print(stderr, "photopic: {}\n", one_line(text));
+  fmt::print(stderr, "photopic: {}\n", without_controls(text));
 }
 
 /// @return the exit code for what is wrong with the command line; help and version are nothing wrong

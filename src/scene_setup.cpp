@@ -53,7 +53,7 @@ std::vector<std::filesystem::path> input_files(const SceneArguments& arguments) 
 }
 
 void print_warning(const std::string& text) {
-  fmt::print(stderr, "warning: {}\n", one_line(text));
+  fmt::print(stderr, "warning: {}\n", without_controls(text));
 }
 
 GltfOptions gltf_options(const SceneArguments& arguments) {
