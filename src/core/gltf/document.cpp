@@ -55,12 +55,23 @@ void load_buffers(GltfDocument& document, const Json& json) {
   }
 }
 
+std::vector<GltfImage> list_images(const Json& json) {
+  std::vector<GltfImage> images;
+  if (!json.contains("images")) return images;
+  const auto text = [](const Json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  for (const Json& image : json.at("images"))
+    images.push_back({text(image, "uri"), image.value("bufferView", -1), text(image, "name")});
+  return images;
+}
+
 /// tinygltf is given only what has been checked and is needed. It insists on znear, which a path tracer
 /// ignores, and refuses indices without a bufferView, which are valid when sparse: an extra, last view stands
 /// for "none" (the accessors' reader knows).
 std::string text_for_tinygltf(Json& json) {
-  for (const char* unused : {"buffers", "images", "textures", "samplers", "animations", "skins"})
-    json.erase(unused);
+  for (const char* unused : {"buffers", "images", "animations", "skins"}) json.erase(unused);
   if (json.contains("cameras")) {
     for (Json& camera : json["cameras"]) {
       if (camera.contains("perspective")) camera["perspective"].emplace("znear", 0.01);
@@ -82,10 +93,12 @@ void GltfDocument::fail(const std::string& pointer, const std::string& problem,
 }
 
 GltfDocument read_gltf_document(const std::filesystem::path& path) {
-  GltfDocument document{.file = read_gltf_file(path), .model = {}, .storage = {}, .buffers = {}};
+  GltfDocument document{
+      .file = read_gltf_file(path), .model = {}, .storage = {}, .buffers = {}, .images = {}};
   Json json = parse_json(document.file);
   check_gltf(json, path);
   load_buffers(document, json);
+  document.images = list_images(json);
 
   const std::string text = text_for_tinygltf(json);
   tinygltf::TinyGLTF parser;

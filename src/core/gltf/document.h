@@ -15,14 +15,24 @@
 
 namespace photopic {
 
+/// An element of "images".
+struct GltfImage {
+  std::string uri;       ///< empty where a bufferView holds the file
+  int buffer_view = -1;  ///< or −1
+  std::string name;
+};
+
 /// A glTF file whose structure has been checked: every index in `model` is valid, every accessor lies inside
-/// its view and every view inside its buffer. (`model.buffers`, images and animations are left empty.)
+/// its view and every view inside its buffer. (`model.buffers`, `model.images` and animations are left
+/// empty.)
 struct GltfDocument {
   GltfFile file;
   tinygltf::Model model;
   std::vector<std::vector<std::byte>> storage;
   std::vector<std::span<const std::byte>>
       buffers;  ///< at least byteLength long, or empty where the file gives no bytes
+
+  std::vector<GltfImage> images;
 
   std::filesystem::path folder() const { return file.path.parent_path(); }
 
