@@ -56,7 +56,7 @@ void PathTracer<N>::start(std::span<const PathKey> paths) {
 /// neighbouring paths overlap.
 template <int N>
 void PathTracer<N>::choose_wavelengths() {
-  const Observer& observer = Observer::cie1931();
+  const Observer& observer = *options_.observer;
   const auto& emissions = scene_.scene.emission_spectra;
   for (const std::uint32_t slot : batch_.active)
     batch_.sampled[slot] = sample_wavelengths<N>(sampler_, wavelength_u(batch_.stream[slot]));

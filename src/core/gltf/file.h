@@ -23,8 +23,12 @@ struct GltfFile {
 /// @throws InputError
 GltfFile read_gltf_file(const std::filesystem::path& path);
 
-/// The bytes of a buffer's or an image's `uri`: a base64 data URI (RFC 2397) or a file beside the glTF file,
-/// its name percent-encoded (RFC 3986).
+/// The file that a `uri` names, its name percent-encoded (RFC 3986), beside the glTF file; empty for data
+/// URIs and what is not local.
+std::filesystem::path gltf_uri_file(const std::string& uri, const std::filesystem::path& folder);
+
+/// The bytes of a buffer's or an image's `uri`: a base64 data URI (RFC 2397) or a file as gltf_uri_file finds
+/// it.
 /// @param byte_length at least so many; nothing: all there are
 /// @param where names the buffer or the image in messages
 /// @throws InputError
