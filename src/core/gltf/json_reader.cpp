@@ -4,12 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/gltf/json_place.h"
 #include "error.h"
 
 namespace photopic {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::size_t kMaxNesting = 100;
 
@@ -35,9 +34,9 @@ class Builder : public nlohmann::json_sax<Json> {
   bool key(string_t& name) override {
     const auto [place, added] = open_.back()->get_ref<Json::object_t&>().emplace(name, nullptr);
     if (!added)
-      throw InputError(file_.path.string(),
-                       fmt::format("the key \"{}\" stands twice in one object", name.substr(0, 60)),
-                       "take one of them out");
+      fail(fmt::format("the key \"{}\" stands twice in this object", name.substr(0, 60)),
+           "take one of them out");
+    keys_.back() = &place->first;
     member_ = &place->second;
     return true;
   }
@@ -62,19 +61,31 @@ class Builder : public nlohmann::json_sax<Json> {
   }
   bool open(Json&& container) {
     if (open_.size() == kMaxNesting)
-      throw InputError(file_.path.string(), fmt::format("the JSON is nested more than {} deep", kMaxNesting),
-                       "remove the nested extras");
+      fail(fmt::format("there the JSON is nested more than {} deep", kMaxNesting),
+           "take out what is so deep");
     open_.push_back(&put(std::move(container)));
+    keys_.push_back(nullptr);
     return true;
   }
   bool close() {
     open_.pop_back();
+    keys_.pop_back();
     return true;
+  }
+
+  /// Names the innermost place, or where a very deep one begins.
+  [[noreturn]] void fail(const std::string& problem, const std::string& remedy) const {
+    constexpr std::size_t kLongest = 8;
+    std::string pointer = "#";
+    for (std::size_t i = 0; i + 1 < open_.size() && i < kLongest; ++i)
+      pointer += keys_[i] ? pointer_token(*keys_[i]) : fmt::format("/{}", open_[i]->size() - 1);
+    throw InputError(file_.path.string() + pointer, problem, remedy);
   }
 
   const GltfFile& file_;
   Json root_;
   std::vector<Json*> open_;  ///< a list grows only while it is the last of these, so that none moves
+  std::vector<const std::string*> keys_;  ///< of each the member that was begun last; null for lists
   Json* member_ = nullptr;
 };
 
