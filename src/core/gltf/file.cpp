@@ -13,7 +13,6 @@
 namespace photopic {
 namespace {
 
-constexpr int kMaxNesting = 100;
 constexpr std::uintmax_t kMaxFile = 0xFFFFFFFF;  // what a .glb's header can announce
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 constexpr const char* kReexport = "export the file again";
@@ -82,27 +81,6 @@ void split_glb(GltfFile& file) {
   while (file.json.ends_with('\0')) file.json.remove_suffix(1);
 }
 
-void check_nesting(const GltfFile& file) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < file.json.size(); ++i) {
-    const char c = file.json[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-      continue;
-    }
-    if (c == '"') in_string = true;
-    if (c == '[' || c == '{') ++depth;
-    if (c == ']' || c == '}') --depth;
-    if (depth > kMaxNesting) {
-      throw InputError(file.path.string(),
-                       fmt::format("the JSON is nested more than {} deep at byte {}", kMaxNesting, i),
-                       "remove the nested extras");
-    }
-  }
-}
-
 constexpr std::array<std::int8_t, 256> base64_values() {
   std::array<std::int8_t, 256> values{};
   values.fill(-1);
@@ -163,7 +141,6 @@ GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path) 
   }
   file.json = {file.bytes.data(), file.bytes.size()};
   if (glb) split_glb(file);
-  check_nesting(file);
   return file;
 }
 

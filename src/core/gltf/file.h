@@ -22,7 +22,7 @@ struct GltfFile {
 /// @throws InputError
 std::vector<char> read_gltf_bytes(const std::filesystem::path& path);
 
-/// Finds the parts of a file (glTF 2.0, section 4.4); refuses JSON nested too deep for recursive parsers.
+/// Finds the parts of a file (glTF 2.0, section 4.4).
 /// @throws InputError
 GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path);
 
