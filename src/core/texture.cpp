@@ -33,12 +33,6 @@ const char* format_of(std::span<const std::byte> bytes, const std::string& where
   throw InputError(where, fmt::format("the file is {}", found), "convert it to PNG or JPEG");
 }
 
-std::string one_line(std::string text) {
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return c < 32; }, ' ');
-  return text.empty() ? "unknown reason" : text.substr(0, 200);
-}
-
 }  // namespace
 
 struct TextureFile::Input {

@@ -1,10 +1,18 @@
 #pragma once
 
 #include "core/bsdf.h"
+#include "core/normal_map.h"
 #include "core/prepared_scene.h"
 #include "core/surface_point.h"
 
 namespace photopic {
+
+/// A hit with its normal map applied.
+inline SurfacePoint mapped_point(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface) {
+  SurfacePoint point = surface_point(geometry, hit);
+  if (surface.maps_normals) point.shading_normal = mapped_normal(geometry, hit, point, wo, *surface.textures);
+  return point;
+}
 
 /// A vertex of a path: a hit with its frame and its BSDF at the path's wavelengths. Directions are in world
 /// space.
@@ -13,7 +21,7 @@ struct Vertex {
   Vertex(const PreparedScene& scene, const Hit& hit, Vec3f wo_world, SampledSpectrum<N> lambda)
       : material(scene.scene.geometry.shapes[hit.shape].material),
         surface(scene.surfaces[material]),
-        point(surface_point(scene.scene.geometry, hit)),
+        point(mapped_point(scene.scene.geometry, hit, wo_world, surface)),
         frame(shading_frame(point, wo_world, Bsdf::kTwoSided)),
         wo(frame.to_local(wo_world)),
         bsdf(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit})) {}
