@@ -59,8 +59,7 @@ void load_buffers(GltfDocument& document, const Json& json) {
 /// ignores, and refuses indices without a bufferView, which are valid when sparse: an extra, last view stands
 /// for "none" (the accessors' reader knows).
 std::string text_for_tinygltf(Json& json) {
-  for (const char* unused : {"buffers", "images", "textures", "samplers", "animations", "skins"})
-    json.erase(unused);
+  for (const char* unused : {"buffers", "images", "textures", "samplers", "animations"}) json.erase(unused);
   if (json.contains("cameras")) {
     for (Json& camera : json["cameras"]) {
       if (camera.contains("perspective")) camera["perspective"].emplace("znear", 0.01);

@@ -45,6 +45,7 @@ inline constexpr auto kReferences = std::to_array<Reference>({
     {"skins/*/joints/*", "nodes"},
     {"skins/*/skeleton", "nodes"},
     {"skins/*/inverseBindMatrices", "accessors"},
+    {"nodes/*/extensions/EXT_mesh_gpu_instancing/attributes/*", "accessors"},
     {"animations/*/channels/*/target/node", "nodes"},
     {"animations/*/samplers/*/input", "accessors"},
     {"animations/*/samplers/*/output", "accessors"},
@@ -71,6 +72,10 @@ inline constexpr auto kRequired = std::to_array<Required>({
     {"buffers/*", "byteLength"},
     {"cameras/*", "type"},
     {"cameras/*/perspective", "yfov"},
+    {"cameras/*/orthographic", "xmag"},
+    {"cameras/*/orthographic", "ymag"},
+    {"skins/*", "joints"},
+    {"nodes/*/extensions/EXT_mesh_gpu_instancing", "attributes"},
     {"materials/*/pbrMetallicRoughness/baseColorTexture", "index"},
     {"materials/*/pbrMetallicRoughness/metallicRoughnessTexture", "index"},
     {"materials/*/normalTexture", "index"},
@@ -104,6 +109,10 @@ inline constexpr auto kNumbers = std::to_array<Number>({
     {"cameras/*/perspective/yfov", 1e-4, 3.1415},
     {"cameras/*/perspective/aspectRatio", 1e-4, 1e4},
     {"cameras/*/perspective/znear", 0, kNoLimit},
+    {"cameras/*/orthographic/xmag", -1e15, 1e15},
+    {"cameras/*/orthographic/ymag", -1e15, 1e15},
+    {"nodes/*/weights/*", -kNoLimit, kNoLimit},
+    {"meshes/*/weights/*", -kNoLimit, kNoLimit},
     {"materials/*/pbrMetallicRoughness/metallicFactor", 0, 1},
     {"materials/*/pbrMetallicRoughness/roughnessFactor", 0, 1},
     {"materials/*/extensions/KHR_materials_specular/specularFactor", 0, 1},
@@ -144,8 +153,8 @@ inline constexpr auto kStrings = std::to_array<std::string_view>({
     "extensionsRequired/*",
 });
 
-inline constexpr auto kBooleans =
-    std::to_array<std::string_view>({"accessors/*/normalized", "materials/*/doubleSided"});
+inline constexpr auto kBooleans = std::to_array<std::string_view>(
+    {"accessors/*/normalized", "materials/*/doubleSided", "nodes/*/extensions/KHR_node_visibility/visible"});
 
 inline constexpr auto kLists = std::to_array<std::string_view>({
     "accessors",
@@ -164,6 +173,9 @@ inline constexpr auto kLists = std::to_array<std::string_view>({
     "skins",
     "textures",
     "scenes/*/nodes",
+    "skins/*/joints",
+    "nodes/*/weights",
+    "meshes/*/weights",
     "nodes/*/children",
     "meshes/*/primitives",
 });
@@ -182,6 +194,10 @@ inline constexpr auto kObjects = std::to_array<std::string_view>({
     "meshes/*/primitives/*",
     "meshes/*/primitives/*/attributes",
     "nodes/*",
+    "nodes/*/extensions",
+    "nodes/*/extensions/KHR_node_visibility",
+    "nodes/*/extensions/EXT_mesh_gpu_instancing",
+    "nodes/*/extensions/EXT_mesh_gpu_instancing/attributes",
     "samplers/*",
     "scenes/*",
     "skins/*",
@@ -202,6 +218,8 @@ inline constexpr auto kSupported = std::to_array<std::string_view>({
     "KHR_materials_transmission",
     "KHR_materials_volume",
     "KHR_mesh_quantization",
+    "KHR_node_visibility",
+    "EXT_mesh_gpu_instancing",
     "KHR_materials_variants",
     "KHR_xmp_json_ld",
     "KHR_animation_pointer",
