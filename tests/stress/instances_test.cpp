@@ -52,7 +52,8 @@ TEST(Instances, RaysHitWhatIsBaked) {
     EXPECT_LT(std::abs(dot(p.position - q.position, q.geometric_normal)), p.error);
     if (length(p.geometric_normal - q.geometric_normal) > 0.01f) continue;  // the neighbour's, at an edge
     EXPECT_LT(length(p.geometric_normal - q.geometric_normal), 1e-4f);
-    EXPECT_LT(length(p.shading_normal - q.shading_normal), 1e-3f);
+    // Interpolated before the transformation here, after it there: uneven scales tell the two apart.
+    EXPECT_LT(length(p.shading_normal - q.shading_normal), 0.02f);
   }
   EXPECT_GT(on_instances, 10'000);
 }

@@ -55,14 +55,18 @@ void load_buffers(GltfDocument& document, const Json& json) {
   }
 }
 
-/// tinygltf is given only what has been checked and is needed. It insists on znear, which a path tracer
-/// ignores, and refuses indices without a bufferView, which are valid when sparse: an extra, last view stands
-/// for "none" (the accessors' reader knows).
+/// tinygltf is given only what has been checked and is needed. It insists on znear and zfar, which a path
+/// tracer ignores, and refuses indices without a bufferView, which are valid when sparse: an extra, last view
+/// stands for "none" (the accessors' reader knows).
 std::string text_for_tinygltf(Json& json) {
   for (const char* unused : {"buffers", "images", "textures", "samplers", "animations"}) json.erase(unused);
   if (json.contains("cameras")) {
     for (Json& camera : json["cameras"]) {
-      if (camera.contains("perspective")) camera["perspective"].emplace("znear", 0.01);
+      for (const char* type : {"perspective", "orthographic"}) {
+        if (!camera.contains(type)) continue;
+        camera[type].emplace("znear", 0.01);
+        camera[type].emplace("zfar", 100.0);
+      }
     }
   }
   if (json.contains("accessors")) {
