@@ -41,21 +41,22 @@ def main():
     parser.add_argument("--instances", action="store_true")
     arguments = parser.parse_args()
 
-    arrays = wave(arguments.triangles / arguments.nodes)
-    chunk, views, accessors = b"", [], []
-    for data, kind, size in zip(arrays, ("VEC3", "VEC3", "VEC2", "SCALAR"), (3, 3, 2, 1)):
-        raw = data.tobytes()
-        views.append({"buffer": 0, "byteOffset": len(chunk), "byteLength": len(raw)})
-        accessors.append(
-            {
-                "bufferView": len(accessors),
-                "componentType": 5125 if kind == "SCALAR" else 5126,
-                "count": len(data) // size,
-                "type": kind,
-            }
-        )
-        chunk += raw
+    chunk, views, accessors = bytearray(), [], []
 
+    def add(data, kind):
+        """An accessor over the data. Returns its index."""
+        size = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[kind]
+        views.append({"buffer": 0, "byteOffset": len(chunk), "byteLength": len(data) * data.itemsize})
+        component = 5125 if data.typecode == "I" else 5126
+        count = len(data) // size
+        accessors.append(
+            {"bufferView": len(accessors), "componentType": component, "count": count, "type": kind}
+        )
+        chunk.extend(data.tobytes())
+        return len(accessors) - 1
+
+    for data, kind in zip(wave(arguments.triangles / arguments.nodes), ("VEC3", "VEC3", "VEC2", "SCALAR")):
+        add(data, kind)
     primitive = {"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2}, "indices": 3}
     materials = [{"name": f"paint {i}", "pbrMetallicRoughness": {"metallicFactor": 0}} for i in range(4)]
     meshes = [{"primitives": [primitive | {"material": i}]} for i in range(len(materials))]
@@ -66,9 +67,8 @@ def main():
         nodes.append({"mesh": mesh, "translation": [i % side - side / 2, 0, i // side - side / 2]})
     nodes.append({"camera": 0, "translation": [0, 0.7 * side, 1.2 * side], "rotation": [-0.26, 0, 0, 0.966]})
     materials.append({"name": "lamp", "doubleSided": True, "emissiveFactor": [1, 1, 1]})
-    meshes.append({"primitives": [primitive | {"material": len(materials) - 1}]})
-    meshes[-1]["primitives"][0]["indices"] = len(accessors)
-    accessors.append(accessors[3] | {"count": 6})
+    lamp = {"attributes": {"POSITION": add(array("f", (0, 0, 0, 1, 0, 0, 0, 0, 1)), "VEC3")}}
+    meshes.append({"primitives": [lamp | {"material": len(materials) - 1}]})
     nodes.append({"mesh": len(meshes) - 1, "translation": [0, 5, 0], "scale": [side, 1, side]})
 
     scene = {

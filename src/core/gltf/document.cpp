@@ -89,8 +89,12 @@ GltfDocument read_gltf_document(const std::filesystem::path& path) {
   Json json = parse_json(document.file);
   check_gltf(json, path);
   load_buffers(document, json);
+  document.file.json = {};
+  if (document.file.bin.empty())
+    document.file.bytes = {};  // text alone, which may hold all buffers in base64
 
   const std::string text = text_for_tinygltf(json);
+  json = {};
   tinygltf::TinyGLTF parser;
   std::string error, warning;
   bool parsed = false;

@@ -16,8 +16,8 @@ constexpr int kMaxNesting = 100;
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 constexpr const char* kReexport = "export the file again";
 
-std::vector<char> read_bytes(const std::filesystem::path& path, const std::string& where,
-                             std::size_t at_least, std::size_t at_most) {
+std::vector<std::byte> read_bytes(const std::filesystem::path& path, const std::string& where,
+                                  std::size_t at_least, std::size_t at_most) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
     throw InputError(where, fmt::format("there is no file \"{}\"", path.string()),
@@ -30,9 +30,9 @@ std::vector<char> read_bytes(const std::filesystem::path& path, const std::strin
         fmt::format("\"{}\" holds {} bytes where {} are needed", path.string(), error ? 0 : size, at_least),
         "the file is cut short: copy or export it again");
   }
-  std::vector<char> bytes(std::min<std::uintmax_t>(size, at_most));
+  std::vector<std::byte> bytes(std::min<std::uintmax_t>(size, at_most));
   std::ifstream stream(path, std::ios::binary);
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {
     throw InputError(where, fmt::format("\"{}\" cannot be read", path.string()), "check its permissions");
   }
   return bytes;
@@ -42,6 +42,10 @@ std::uint32_t word_at(const GltfFile& file, std::size_t offset) {
   std::uint32_t word;
   std::memcpy(&word, file.bytes.data() + offset, sizeof word);
   return word;
+}
+
+std::string_view text_at(const GltfFile& file, std::size_t offset, std::size_t size) {
+  return {reinterpret_cast<const char*>(file.bytes.data()) + offset, size};
 }
 
 /// Bytes beyond the length in the header do no harm; anything short of it does.
@@ -67,9 +71,8 @@ void split_glb(GltfFile& file) {
     if (first != (type == kJsonChunk)) {
       throw InputError(where, fmt::format("the chunk at byte {} is of the wrong type", at), kReexport);
     }
-    if (first) file.json = {file.bytes.data() + at + 8, size};
-    if (type == kBinChunk && file.bin.empty())
-      file.bin = std::as_bytes(std::span(file.bytes).subspan(at + 8, size));
+    if (first) file.json = text_at(file, at + 8, size);
+    if (type == kBinChunk && file.bin.empty()) file.bin = std::span(file.bytes).subspan(at + 8, size);
     at += 8 + (size + 3) / 4 * 4;
   }
 }
@@ -149,7 +152,7 @@ GltfFile read_gltf_file(const std::filesystem::path& path) {
   if (!glb && path.extension() == ".glb") {
     throw InputError(path.string(), "the file does not begin with \"glTF\" as a .glb does", kReexport);
   }
-  file.json = {file.bytes.data(), file.bytes.size()};
+  file.json = text_at(file, 0, file.bytes.size());
   if (glb) split_glb(file);
   check_nesting(file);
   return file;
@@ -174,9 +177,7 @@ std::vector<std::byte> read_gltf_uri(const std::string& uri, std::size_t byte_le
   const std::filesystem::path decoded = folder / decode_percent(uri), literal = folder / uri;
   std::error_code error;
   const bool as_written = !std::filesystem::exists(decoded, error) && std::filesystem::exists(literal, error);
-  const std::vector<char> bytes = read_bytes(as_written ? literal : decoded, where, byte_length, byte_length);
-  const auto view = std::as_bytes(std::span(bytes));
-  return {view.begin(), view.end()};
+  return read_bytes(as_written ? literal : decoded, where, byte_length, byte_length);
 }
 
 }  // namespace photopic

@@ -184,14 +184,14 @@ class GeometryLoader {
   /// Neighbours of the same material become one shape.
   void append_triangles(const Part& part, bool mirrored, std::uint32_t first_shape) {
     const auto first = static_cast<std::uint32_t>(geometry_.triangles.size());
-    for (Triangle triangle : read_triangles(document_, part.primitive)) {
+    for_each_triangle(document_, part.primitive, [&](Triangle triangle) {
       for (std::uint32_t& corner : triangle) corner += vertices_;
       if (mirrored) std::swap(triangle[1], triangle[2]);
       if (is_degenerate(geometry_, triangle))
         ++plan_.tally.degenerate;
       else
         geometry_.triangles.push_back(triangle);
-    }
+    });
     if (has_left_over(document_, part.primitive.in(document_))) ++plan_.tally.left_over;
 
     const auto count = static_cast<std::uint32_t>(geometry_.triangles.size()) - first;

@@ -16,14 +16,6 @@ std::size_t corner_count(const GltfDocument& document, const tinygltf::Primitive
                                 : vertex_count(document, primitive);
 }
 
-/// Corner numbers of triangle i (glTF 2.0, section 3.7.2.1): strips alternate their winding, fans share
-/// corner 0.
-Triangle corners_of(const tinygltf::Primitive& primitive, std::uint32_t i) {
-  if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP) return {i, i + 1 + i % 2, i + 2 - i % 2};
-  if (primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) return {i + 1, i + 2, 0};
-  return {3 * i, 3 * i + 1, 3 * i + 2};
-}
-
 const std::vector<double>& morph_weights(const GltfDocument& document, const PrimitiveRef& ref, int node) {
   const auto& model = document.model;
   const bool own = node >= 0 && !model.nodes[node].weights.empty();
@@ -70,23 +62,23 @@ bool has_left_over(const GltfDocument& document, const tinygltf::Primitive& prim
   return is_list(primitive) ? corners % 3 != 0 : corners < 3;
 }
 
-std::vector<Triangle> read_triangles(const GltfDocument& document, const PrimitiveRef& ref) {
+Triangle corners_of(const tinygltf::Primitive& primitive, std::uint32_t i) {
+  if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP) return {i, i + 1 + i % 2, i + 2 - i % 2};
+  if (primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) return {i + 1, i + 2, 0};
+  return {3 * i, 3 * i + 1, 3 * i + 2};
+}
+
+std::vector<std::uint32_t> read_checked_indices(const GltfDocument& document, const PrimitiveRef& ref) {
   const tinygltf::Primitive& primitive = ref.in(document);
+  if (primitive.indices < 0) return {};
   const std::size_t vertices = vertex_count(document, primitive);
-  std::vector<std::uint32_t> indices;
-  if (primitive.indices >= 0) indices = read_indices(document, primitive.indices);
+  std::vector<std::uint32_t> indices = read_indices(document, primitive.indices);
   for (std::size_t i = 0; i < indices.size(); ++i) {
     if (indices[i] >= vertices)
       document.fail(ref.pointer() + "/indices",
                     fmt::format("index {} at {} lies beyond the {} vertices", indices[i], i, vertices));
   }
-  std::vector<Triangle> triangles(triangle_count(document, primitive));
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    triangles[i] = corners_of(primitive, i);
-    if (indices.empty()) continue;
-    for (std::uint32_t& corner : triangles[i]) corner = indices[corner];
-  }
-  return triangles;
+  return indices;
 }
 
 template <typename T>

@@ -30,9 +30,29 @@ std::size_t vertex_count(const GltfDocument& document, const tinygltf::Primitive
 /// Whether vertices are left over after the last whole triangle.
 bool has_left_over(const GltfDocument& document, const tinygltf::Primitive& primitive);
 
-/// Lists, strips and fans as triangles, indices into the primitive's vertices.
+/// Corner numbers of triangle i (glTF 2.0, section 3.7.2.1): strips alternate their winding, fans share
+/// corner 0.
+Triangle corners_of(const tinygltf::Primitive& primitive, std::uint32_t i);
+
+/// Empty for primitives without indices.
+/// @throws InputError for indices beyond the primitive's vertices
+std::vector<std::uint32_t> read_checked_indices(const GltfDocument& document, const PrimitiveRef& ref);
+
+/// Calls visit(Triangle) for every triangle of a list, strip or fan, with indices into the primitive's
+/// vertices.
 /// @throws InputError for indices beyond them
-std::vector<Triangle> read_triangles(const GltfDocument& document, const PrimitiveRef& ref);
+template <typename Visit>
+void for_each_triangle(const GltfDocument& document, const PrimitiveRef& ref, const Visit& visit) {
+  const std::vector<std::uint32_t> indices = read_checked_indices(document, ref);
+  const tinygltf::Primitive& primitive = ref.in(document);
+  const auto count = static_cast<std::uint32_t>(triangle_count(document, primitive));
+  for (std::uint32_t i = 0; i < count; ++i) {
+    Triangle triangle = corners_of(primitive, i);
+    if (!indices.empty())
+      for (std::uint32_t& corner : triangle) corner = indices[corner];
+    visit(triangle);
+  }
+}
 
 /// An attribute as the file has it, an element a vertex; empty where there is none. T as in read_elements.
 /// @throws InputError when it has another number of elements than POSITION
