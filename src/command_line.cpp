@@ -66,6 +66,13 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
       ->check(one_of({"sobol", "independent"}))
       ->type_name("NAME");
   command
+      .add_option("--observer", a.observer,
+                  "CIE standard observer: 1931 (2 degrees) or 1964 (10 degrees; D65 comes out white for "
+                  "either). Luminances are 1931's")
+      ->capture_default_str()
+      ->check(CLI::IsMember({1931, 1964}))
+      ->type_name("YEAR");
+  command
       .add_option("--max-depth", a.max_depth,
                   "Surfaces a path meets at most; light seen directly has depth 1")
       ->capture_default_str()
@@ -138,6 +145,17 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       ->capture_default_str()
       ->check(one_of({"uniform", "visible", "illuminant", "optimized"}))
       ->type_name("NAME");
+  command
+      .add_option("--color", a->color,
+                  "What an EXR holds: srgb (linear sRGB) or xyz (CIE XYZ as observed, without white balance)")
+      ->capture_default_str()
+      ->check(one_of({"srgb", "xyz"}))
+      ->type_name("SPACE");
+  command
+      .add_option("--white-balance", a->white_balance,
+                  "What comes out white, by Bradford adaptation: a SPECTRUM, or illuminant for the scene's "
+                  "lamps; D65 if not given")
+      ->type_name("SPECTRUM");
   bind_seed(command, a->scene.seed);
   bind_threads(command, threads);
   bind_json(command, a->json);

@@ -28,6 +28,7 @@ struct SceneArguments {
   std::filesystem::path distribution;  ///< of the optimised sampler; empty: optimise on the spot
   bool no_cache = false;
   std::string sequence = "sobol";  ///< or "independent"
+  int observer = 1931;             ///< or 1964, the CIE standard observer
   int max_depth = 64;              ///< surfaces met by a path at most
   int batch_size = 1024;           ///< paths advanced together
   double exposure = 0.0;           ///< [EV], of 8-bit outputs only
@@ -40,6 +41,8 @@ struct RenderArguments {
   SceneArguments scene;
   std::vector<std::filesystem::path> outputs;
   std::string sampler = "optimized";
+  std::string color = "srgb";  ///< what an EXR holds; or "xyz"
+  std::string white_balance;   ///< the SPECTRUM that comes out white, or "illuminant"; empty: D65
   std::filesystem::path json;
 };
 int run_render(const RenderArguments& arguments);

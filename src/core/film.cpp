@@ -38,13 +38,24 @@ Xyz Film::image_variance_of_mean() const {
   return sum * (1.0 / (n * n));
 }
 
-Image Film::to_linear_srgb() const {
+Image Film::to_linear_srgb(const ChromaticAdaptation& adaptation) const {
   Image image(width_, height_);
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    const Rgb rgb = xyz_to_linear_srgb(mean(i));
+    const Rgb rgb = xyz_to_linear_srgb(adaptation(mean(i)));
     image.pixels[3 * i] = static_cast<float>(rgb.r);
     image.pixels[3 * i + 1] = static_cast<float>(rgb.g);
     image.pixels[3 * i + 2] = static_cast<float>(rgb.b);
+  }
+  return image;
+}
+
+Image Film::to_xyz() const {
+  Image image(width_, height_, ColorSpace::xyz);
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const Xyz xyz = mean(i);
+    image.pixels[3 * i] = static_cast<float>(xyz.x);
+    image.pixels[3 * i + 1] = static_cast<float>(xyz.y);
+    image.pixels[3 * i + 2] = static_cast<float>(xyz.z);
   }
   return image;
 }

@@ -34,8 +34,10 @@ class Film {
   Xyz image_mean() const;
   Xyz image_variance_of_mean() const;
 
-  /// Unclipped linear sRGB.
-  Image to_linear_srgb() const;
+  /// Unclipped linear sRGB, after an adaptation to its white.
+  Image to_linear_srgb(const ChromaticAdaptation& adaptation = {}) const;
+  /// CIE XYZ as observed.
+  Image to_xyz() const;
 
  private:
   struct Pixel {

@@ -11,24 +11,20 @@ namespace photopic {
 enum class BsdfKind : std::uint8_t { diffuse, opaque, glass };
 inline constexpr int kBsdfKinds = 3;
 
-/// A material compiled for shading.
+/// A material compiled for shading; ShadingMaterial is what it comes to at a hit.
 struct Surface {
   explicit Surface(const Material& material);
 
-  /// glTF's mixes are linear in metallic and transmission, so one of the two BSDFs may stand for both, chosen
-  /// with probability transmission·(1 − metallic) for glass.
-  BsdfKind choose_kind(float u) const { return u < glass_probability ? BsdfKind::glass : opaque_kind; }
-
-  BsdfKind opaque_kind;
-  float glass_probability;
+  BsdfKind opaque_kind;  ///< of what does not transmit
+  bool transmits;        ///< somewhere on it glass may be chosen
   bool emits;
   bool double_sided;
   bool solid;  ///< encloses a medium: transmission refracts
 
   Spectrum base_color, specular_color;
-  float metallic;  ///< of the opaque part
-  float roughness;
-  float alpha;
+  float metallic;
+  float roughness;  ///< perceptual
+  float transmission;
   float specular;
   float ior;
   Spectrum attenuation_color;

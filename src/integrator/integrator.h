@@ -7,6 +7,7 @@
 #include "core/prepared_scene.h"
 #include "core/progress.h"
 #include "core/sample_sequence.h"
+#include "spectral/observer.h"
 #include "spectral/wavelength_sampler.h"
 
 namespace photopic {
@@ -14,6 +15,7 @@ namespace photopic {
 struct RenderOptions {
   int spp = 64;  ///< samples per pixel
   Sequence sequence = Sequence::sobol;
+  const Observer* observer = &Observer::cie1931();  ///< whose XYZ the film gathers
   std::uint32_t seed = 0;
   int max_depth = 64;     ///< surfaces met by a path at most; light reaching the camera directly has depth 1
   int batch_size = 1024;  ///< paths advanced together; changes no bit of the result

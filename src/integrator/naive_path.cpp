@@ -40,7 +40,7 @@ template <int N>
 Xyz NaivePathTracer<N>::trace(const PathKey& path) {
   const SampleStream stream(options_.sequence, options_.seed, path.pixel, path.sample);
   const auto sampled = sample_wavelengths<N>(sampler_, wavelength_u(stream));
-  const PathWavelengths<N> wavelengths(sampled, Observer::cie1931());
+  const PathWavelengths<N> wavelengths(sampled, *options_.observer);
   const SampledSpectrum<N> lambda = wavelengths.lambda;
 
   Ray ray = camera_ray(scene_.scene.camera, path.pixel, stream);
@@ -68,7 +68,8 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     const Sample2d u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
     const Vec3f wo = -ray.direction;
     std::optional<Step<N>> next;
-    switch (surface.choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)))) {
+    const ShadingMaterial<N> material(surface, lambda);
+    switch (material.choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)))) {
       case BsdfKind::diffuse:
         next = step(Vertex<N, DiffuseBsdf<N>>(scene_, hit, wo, lambda), u_lobe, u, medium);
         break;

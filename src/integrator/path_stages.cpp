@@ -56,7 +56,7 @@ void PathTracer<N>::start(std::span<const PathKey> paths) {
 /// neighbouring paths overlap.
 template <int N>
 void PathTracer<N>::choose_wavelengths() {
-  const Observer& observer = Observer::cie1931();
+  const Observer& observer = *options_.observer;
   const auto& emissions = scene_.scene.emission_spectra;
   for (const std::uint32_t slot : batch_.active)
     batch_.sampled[slot] = sample_wavelengths<N>(sampler_, wavelength_u(batch_.stream[slot]));
@@ -121,8 +121,9 @@ void PathTracer<N>::sort_by_bsdf(int depth) {
   for (const std::uint32_t slot : batch_.active) {
     const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[batch_.hits[slot].shape].material];
     BsdfKind kind = surface.opaque_kind;
-    if (surface.glass_probability > 0.0f)
-      kind = surface.choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
+    if (surface.transmits)
+      kind = ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda)
+                 .choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
     batch_.by_kind[static_cast<std::size_t>(kind)].push_back(slot);
   }
 }

@@ -57,6 +57,39 @@ class Render(CommandTest):
         self.assertEqual(self.max_difference("one.exr", "small.exr"), 0)
         self.assertGreater(self.max_difference("one.exr", "other.exr"), 0)
 
+    def test_xyz_holds_the_same_colors(self):
+        self.render("a.exr", "-o", "a.png")
+        self.render("xyz.exr", "-o", "xyz.png", "--color", "xyz")
+        self.assertIn(b"CIE XYZ", (self.folder / "xyz.exr").read_bytes())
+        self.assertLess(self.max_difference("a.exr", "xyz.exr"), 0.001)
+        self.assertEqual(self.max_difference("a.png", "xyz.png"), 0)
+        self.assert_refused(["render", self.scene, "-o", "a.hdr", "--color", "xyz"], "--color xyz", ".exr")
+
+    def test_white_balance_makes_the_lamp_white(self):
+        lamp = ("--emitter", "cie:A")
+        self.render("day.exr")
+        self.render("warm.exr", *lamp)
+        self.render("balanced.exr", *lamp, "--white-balance", "illuminant")
+        self.render("named.exr", *lamp, "--white-balance", "cie:A")
+        self.assertEqual(self.max_difference("balanced.exr", "named.exr"), 0)
+        self.photopic("diff", "day.exr", "warm.exr", "balanced.exr", "--json", "diff.json")
+        warm, balanced = (run["mean_delta_e"] for run in self.read_json("diff.json")["runs"])
+        self.assertLess(balanced, 0.5 * warm)
+        self.assert_refused(
+            ["render", self.scene, "-o", "a.exr", "--white-balance", "line:700"], "--white-balance line:700"
+        )
+
+    def test_observers_see_daylight_white_but_not_every_lamp_alike(self):
+        for lamp in ("cie:D65", "cie:FL11"):
+            for observer in ("1931", "1964"):
+                self.render(f"{lamp[4:]}-{observer}.exr", "--emitter", lamp, "--observer", observer)
+        self.assertGreater(self.max_difference("FL11-1931.exr", "FL11-1964.exr"), 1)
+        means = {}
+        for observer in ("1931", "1964"):
+            self.render("a.exr", "--observer", observer, "--json", "a.json", "--emitter", "cie:D65")
+            means[observer] = self.read_json("a.json")["mean_xyz"]
+        self.assertNotEqual(means["1931"], means["1964"])
+
     def test_exposure_moves_8_bit_images_only(self):
         self.render("dark.exr", "-o", "dark.png")
         self.render("bright.exr", "-o", "bright.png", "--exposure", "-2")

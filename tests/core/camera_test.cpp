@@ -133,7 +133,10 @@ TEST_F(GltfCamera, OrthographicWhateverTheNodesScale) {
   EXPECT_NEAR(c.ray(0, 0).origin.x, -3.0f, 1e-5f);
   for (const char* mag : {"0", "1e-300"}) {
     const std::string text = refusal(
-        with_camera(fmt::format(R"("type": "orthographic", "orthographic": {{"xmag": 1, "ymag": {}}})", mag))
+        with_camera(
+            fmt::format(
+                R"("type": "orthographic", "orthographic": {{"xmag": 1, "ymag": {}, "znear": 0, "zfar": 1}})",
+                mag))
             .str());
     EXPECT_NE(text.find("#/cameras/0/orthographic/ymag"), std::string::npos) << text;
   }
@@ -148,7 +151,7 @@ TEST_F(GltfCamera, AspectRatioIsOptional) {
 
 TEST_F(GltfCamera, NamesAndIndices) {
   SquareFile file = with_camera(
-      R"("type": "perspective", "perspective": {"yfov": 1}}, {"type": "orthographic", "name": "0", "orthographic": {"xmag": 1, "ymag": 1}}, {"type": "perspective", "perspective": {"yfov": 2})");
+      R"("type": "perspective", "perspective": {"yfov": 1}}, {"type": "orthographic", "name": "0", "orthographic": {"xmag": 1, "ymag": 1, "znear": 0, "zfar": 1}}, {"type": "perspective", "perspective": {"yfov": 2})");
   file.nodes.insert(file.nodes.size() - 1, R"(, {"camera": 1}, {"camera": 2})");
   file.roots = "[0, 1, 2, 3]";
   const auto yfov = [&](const char* name) {

@@ -10,27 +10,23 @@ namespace {
 constexpr const char* kExtension = "EXT_mesh_gpu_instancing";
 constexpr std::size_t kMaxPlaces = 10'000'000;  // some gigabytes of instances
 
-/// The transformations that the extension lists (Khronos, EXT_mesh_gpu_instancing), read and checked.
+/// The transformations that the extension lists (Khronos, EXT_mesh_gpu_instancing).
 class InstanceAttributes {
  public:
   InstanceAttributes(const GltfDocument& document, const NodeInstance& place)
       : document_(document), node_(place.node) {
-    const tinygltf::Value& extension = document.model.nodes[place.node].extensions.at(kExtension);
-    if (!extension.IsObject() || !extension.Has("attributes") || !extension.Get("attributes").IsObject())
-      fail("", "\"attributes\" is missing");
-    const tinygltf::Value& attributes = extension.Get("attributes");
-    for (const std::string& name : attributes.Keys()) {
-      const std::size_t count = document.model.accessors[accessor(attributes, name)].count;
-      if (count_ > 0 && count != count_)
-        fail(name, fmt::format("it has {} elements where another attribute has {}", count, count_));
-      count_ = count;
-    }
-    if (count_ > kMaxPlaces) fail("", fmt::format("more than {} instances are too many", kMaxPlaces));
-    if (attributes.Has("TRANSLATION"))
-      translations_ = read_elements<Vec3f>(document, accessor(attributes, "TRANSLATION"));
-    if (attributes.Has("ROTATION"))
-      rotations_ = read_elements<Vec4f>(document, accessor(attributes, "ROTATION"));
-    if (attributes.Has("SCALE")) scales_ = read_elements<Vec3f>(document, accessor(attributes, "SCALE"));
+    const tinygltf::Value& attributes =
+        document.model.nodes[place.node].extensions.at(kExtension).Get("attributes");
+    const auto read = [&]<typename T>(const char* name, std::vector<T>& values) {
+      if (!attributes.Has(name)) return;
+      const int accessor = attributes.Get(name).GetNumberAsInt();
+      count_ = document.model.accessors[accessor].count;
+      if (count_ > kMaxPlaces) fail("", fmt::format("more than {} instances are too many", kMaxPlaces));
+      values = read_elements<T>(document, accessor);
+    };
+    read("TRANSLATION", translations_);
+    read("ROTATION", rotations_);
+    read("SCALE", scales_);
   }
 
   std::size_t size() const { return count_; }
@@ -52,14 +48,6 @@ class InstanceAttributes {
   }
 
  private:
-  int accessor(const tinygltf::Value& attributes, const std::string& name) const {
-    const tinygltf::Value& value = attributes.Get(name);
-    const int index = value.IsInt() ? value.Get<int>() : -1;
-    if (index < 0 || static_cast<std::size_t>(index) >= document_.model.accessors.size())
-      fail(name, "this is no index into \"accessors\"");
-    return index;
-  }
-
   [[noreturn]] void fail(const std::string& attribute, const std::string& problem) const {
     const std::string pointer = fmt::format("/nodes/{}/extensions/{}", node_, kExtension);
     document_.fail(attribute.empty() ? pointer : pointer + "/attributes/" + attribute, problem);

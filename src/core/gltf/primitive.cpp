@@ -22,14 +22,6 @@ const std::vector<double>& morph_weights(const GltfDocument& document, const Pri
   return own ? model.nodes[node].weights : model.meshes[ref.mesh].weights;
 }
 
-void check_count(const GltfDocument& document, const PrimitiveRef& ref, const std::string& place,
-                 std::size_t count) {
-  const std::size_t vertices = vertex_count(document, ref.in(document));
-  if (count == vertices) return;
-  document.fail(ref.pointer() + place,
-                fmt::format("there are {} elements for {} positions", count, vertices));
-}
-
 void displace(Vec3f& value, Vec3f by, float weight) {
   value = value + by * weight;
 }
@@ -86,8 +78,6 @@ std::vector<T> read_attribute(const GltfDocument& document, const PrimitiveRef& 
   const auto& attributes = ref.in(document).attributes;
   const auto found = attributes.find(name);
   if (found == attributes.end()) return {};
-  check_count(document, ref, fmt::format("/attributes/{}", name),
-              document.model.accessors[found->second].count);
   return read_elements<T>(document, found->second);
 }
 template std::vector<Vec2f> read_attribute<Vec2f>(const GltfDocument&, const PrimitiveRef&, const char*);
@@ -124,7 +114,6 @@ std::vector<T> read_morphed(const GltfDocument& document, const PrimitiveRef& re
     const auto found = targets[t].find(name);
     if (weights[t] == 0 || found == targets[t].end()) continue;
     const std::vector<Vec3f> by = read_elements<Vec3f>(document, found->second);
-    check_count(document, ref, fmt::format("/targets/{}/{}", t, name), by.size());
     for (std::size_t i = 0; i < values.size(); ++i)
       displace(values[i], by[i], static_cast<float>(weights[t]));
   }

@@ -55,7 +55,6 @@ void for_each_triangle(const GltfDocument& document, const PrimitiveRef& ref, co
 }
 
 /// An attribute as the file has it, an element a vertex; empty where there is none. T as in read_elements.
-/// @throws InputError when it has another number of elements than POSITION
 template <typename T>
 std::vector<T> read_attribute(const GltfDocument& document, const PrimitiveRef& ref, const char* name);
 

@@ -49,10 +49,6 @@ const std::vector<Affine>& SkinPoses::joint_matrices(int index) {
 
   std::vector<Mat4f> bind;
   if (skin.inverseBindMatrices >= 0) bind = read_elements<Mat4f>(document_, skin.inverseBindMatrices);
-  const std::string pointer = fmt::format("/skins/{}", index);
-  if (skin.inverseBindMatrices >= 0 && bind.size() < skin.joints.size())
-    document_.fail(pointer + "/inverseBindMatrices",
-                   fmt::format("there are {} matrices for {} joints", bind.size(), skin.joints.size()));
   for (std::size_t j = 0; j < skin.joints.size(); ++j) {
     Affine matrix = to_world(skin.joints[j]);
     if (!bind.empty()) {
@@ -60,7 +56,8 @@ const std::vector<Affine>& SkinPoses::joint_matrices(int index) {
       matrix =
           matrix * Affine{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
     }
-    if (!is_finite(matrix)) document_.fail(pointer, fmt::format("joint {} is not at a finite place", j));
+    if (!is_finite(matrix))
+      document_.fail(fmt::format("/skins/{}", index), fmt::format("joint {} is not at a finite place", j));
     matrices.push_back(matrix);
   }
   return matrices;
