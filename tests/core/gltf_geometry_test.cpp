@@ -148,6 +148,27 @@ TEST_F(GltfGeometry, TangentFramesFollowTheirTransformation) {
   }
 }
 
+/// Two triangles, each a primitive, take three vertices each of a list of four.
+TEST_F(GltfGeometry, OfSharedVertexListsEachPrimitiveKeepsItsOwn) {
+  SquareFile file;
+  const int first = file.add(std::vector<std::uint8_t>{0, 1, 3}, kUByte, "SCALAR", 3);
+  const int second = file.add(std::vector<std::uint32_t>{3, 1, 2}, kUInt, "SCALAR", 3);
+  const int color =
+      file.add(std::vector<float>{0, 0, 0, 0.1f, 0, 0, 0.2f, 0, 0, 0.3f, 0, 0}, kFloat, "VEC3", 4);
+  file.primitive = fmt::format(
+      R"("attributes": {{"POSITION": 0, "COLOR_0": {2}}}, "indices": {0}}}, {{"attributes": {{"POSITION": 0, "COLOR_0": {2}}}, "indices": {1})",
+      first, second, color);
+  const Scene scene = load(file.str());
+  const Geometry& g = scene.geometry;
+  EXPECT_EQ(g.positions.size(), 6u);
+  ASSERT_EQ(g.triangles.size(), 2u);
+  expect_near(area_vector(scene, 0), {0, 0, 1});
+  expect_near(area_vector(scene, 1), {0, 0, 1});
+  expect_near(world_position(scene, g.triangles[1][0]), {0, 1, 0});
+  EXPECT_EQ(g.colors.at(g.triangles[1][0]).x, 0.3f);
+  EXPECT_EQ(g.colors.at(g.triangles[1][2]).x, 0.2f);
+}
+
 TEST_F(GltfGeometry, InvisibleNodesAndTheirChildrenAreSkipped) {
   SquareFile file;
   file.nodes =

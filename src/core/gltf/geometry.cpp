@@ -39,6 +39,38 @@ struct VertexMap {
   }
 };
 
+/// The vertices of a primitive that are stored: all, or, where it has fewer indices than vertices (exporters
+/// let many primitives share one long list), those that it uses.
+class VertexSelection {
+ public:
+  VertexSelection(const GltfDocument& document, const PrimitiveRef& ref) {
+    const std::size_t vertices = vertex_count(document, ref.in(document));
+    if (stored_vertex_count(document, ref.in(document)) == vertices) return;
+    place_.assign(vertices, kUnused);
+    for (const std::uint32_t index : read_checked_indices(document, ref)) place_[index] = 0;
+    std::uint32_t next = 0;
+    for (std::uint32_t& place : place_)
+      if (place != kUnused) place = next++;
+  }
+
+  std::uint32_t place_of(std::uint32_t vertex) const { return place_.empty() ? vertex : place_[vertex]; }
+
+  /// Calls visit(place, vertex) for those of `count` vertices that are stored.
+  template <typename Visit>
+  void for_each(std::size_t count, const Visit& visit) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (place_.empty())
+        visit(i, i);
+      else if (place_[i] != kUnused)
+        visit(place_[i], i);
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kUnused = ~0u;
+  std::vector<std::uint32_t> place_;  ///< of each vertex; empty: all are stored as they stand
+};
+
 /// Scaled first, so that neither tiny nor huge transformations underflow or overflow in the square.
 Vec3f unit_or_zero(Vec3d v) {
   const double scale = max_abs(v);
@@ -140,52 +172,58 @@ class GeometryLoader {
   void append(const Part& part, Vec3d offset, std::uint32_t first_shape) {
     VertexMap map = map_of(part);
     map.translate(offset);
+    const VertexSelection selection(document_, part.primitive);
     const auto positions = read_morphed<Vec3f>(document_, part.primitive, node_of(part), "POSITION");
-    for (std::size_t i = 0; i < positions.size(); ++i)
-      geometry_.positions[vertices_ + i] = to_float(map[i].point(to_double(positions[i])));
-    append_directions(part, map);
-    append_coordinates(part);
-    append_triangles(part, map[0].determinant() < 0, first_shape);
-    vertices_ += static_cast<std::uint32_t>(positions.size());
+    selection.for_each(positions.size(), [&](std::size_t to, std::size_t i) {
+      geometry_.positions[vertices_ + to] = to_float(map[i].point(to_double(positions[i])));
+    });
+    append_directions(part, map, selection);
+    append_coordinates(part, selection);
+    append_triangles(part, selection, map[0].determinant() < 0, first_shape);
+    vertices_ += static_cast<std::uint32_t>(stored_vertex_count(document_, part.primitive.in(document_)));
   }
 
-  void append_directions(const Part& part, const VertexMap& map) {
+  void append_directions(const Part& part, const VertexMap& map, const VertexSelection& selection) {
     if (plan_.normals) {
       const auto normals = read_morphed<Vec3f>(document_, part.primitive, node_of(part), "NORMAL");
-      for (std::size_t i = 0; i < normals.size(); ++i) {
+      selection.for_each(normals.size(), [&](std::size_t to, std::size_t i) {
         const Vec3f n = unit_or_zero(map[i].normal(to_double(normals[i])));
         if (n == Vec3f{}) ++plan_.tally.zero_normals;
-        geometry_.normals[vertices_ + i] = n;
-      }
+        geometry_.normals[vertices_ + to] = n;
+      });
     }
     if (!plan_.tangents) return;
     // A mirror turns normal × tangent against the bitangent's image.
     const auto tangents = read_morphed<Vec4f>(document_, part.primitive, node_of(part), "TANGENT");
-    for (std::size_t i = 0; i < tangents.size(); ++i) {
+    selection.for_each(tangents.size(), [&](std::size_t to, std::size_t i) {
       const Vec3f t = unit_or_zero(map[i].vector({tangents[i].x, tangents[i].y, tangents[i].z}));
       const bool positive = (tangents[i].w >= 0) == (map[i].determinant() >= 0);
-      geometry_.tangents[vertices_ + i] = {t.x, t.y, t.z, positive ? 1.0f : -1.0f};
-    }
+      geometry_.tangents[vertices_ + to] = {t.x, t.y, t.z, positive ? 1.0f : -1.0f};
+    });
   }
 
-  void append_coordinates(const Part& part) {
+  void append_coordinates(const Part& part, const VertexSelection& selection) {
+    const auto copy = [&](const auto& values, auto& array) {
+      selection.for_each(values.size(),
+                         [&](std::size_t to, std::size_t i) { array[vertices_ + to] = values[i]; });
+    };
     for (std::size_t set = 0; set < kUvSets; ++set) {
       if (geometry_.uvs[set].empty()) continue;
       const auto uvs =
           read_attribute<Vec2f>(document_, part.primitive, fmt::format("TEXCOORD_{}", set).c_str());
-      std::ranges::copy(uvs, geometry_.uvs[set].begin() + vertices_);
+      copy(uvs, geometry_.uvs[set]);
       const bool wanted = scene_.materials.at(part.material).uv_sets >> set & 1;
       if (uvs.empty() && wanted) ++plan_.tally.no_coordinates;
     }
-    if (!plan_.colors) return;
-    std::ranges::copy(read_colors(document_, part.primitive), geometry_.colors.begin() + vertices_);
+    if (plan_.colors) copy(read_colors(document_, part.primitive), geometry_.colors);
   }
 
   /// Neighbours of the same material become one shape.
-  void append_triangles(const Part& part, bool mirrored, std::uint32_t first_shape) {
+  void append_triangles(const Part& part, const VertexSelection& selection, bool mirrored,
+                        std::uint32_t first_shape) {
     const auto first = static_cast<std::uint32_t>(geometry_.triangles.size());
     for_each_triangle(document_, part.primitive, [&](Triangle triangle) {
-      for (std::uint32_t& corner : triangle) corner += vertices_;
+      for (std::uint32_t& corner : triangle) corner = vertices_ + selection.place_of(corner);
       if (mirrored) std::swap(triangle[1], triangle[2]);
       if (is_degenerate(geometry_, triangle))
         ++plan_.tally.degenerate;

@@ -62,7 +62,7 @@ void count_needs(const GltfDocument& document, const std::vector<Material>& mate
                  GeometryPlan& plan) {
   const tinygltf::Primitive& primitive = part.primitive.in(document);
   const auto has = [&](const std::string& name) { return primitive.attributes.contains(name); };
-  plan.vertices += vertex_count(document, primitive);
+  plan.vertices += stored_vertex_count(document, primitive);
   plan.triangles += triangle_count(document, primitive);
   if (plan.vertices > kMaxVertices || plan.triangles > kMaxTriangles) {
     document.fail(part.place == kNoPlace ? part.primitive.pointer()
@@ -142,7 +142,10 @@ GeometryPlan plan_gltf_geometry(const GltfDocument& document, const std::vector<
 
   for (const Part& part : plan.baked) count_needs(document, materials, part, plan);
   for (const auto& prototype : plan.prototypes)
-    for (const Part& part : prototype.parts) count_needs(document, materials, part, plan);
+    for (const Part& part : prototype.parts) {
+      count_needs(document, materials, part, plan);
+      plan.tally.morphed += is_morphed(document, part.primitive, -1);
+    }
   return plan;
 }
 

@@ -8,7 +8,7 @@ namespace photopic {
 namespace {
 
 constexpr const char* kExtension = "EXT_mesh_gpu_instancing";
-constexpr std::size_t kMaxPlaces = 10'000'000;  // some gigabytes of instances
+constexpr std::size_t kMaxPlaces = 4'000'000;  // some 2 GB of instances
 
 /// The transformations that the extension lists (Khronos, EXT_mesh_gpu_instancing).
 class InstanceAttributes {

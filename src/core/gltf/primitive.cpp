@@ -44,6 +44,10 @@ std::size_t vertex_count(const GltfDocument& document, const tinygltf::Primitive
   return document.model.accessors[primitive.attributes.at("POSITION")].count;
 }
 
+std::size_t stored_vertex_count(const GltfDocument& document, const tinygltf::Primitive& primitive) {
+  return std::min(vertex_count(document, primitive), corner_count(document, primitive));
+}
+
 std::size_t triangle_count(const GltfDocument& document, const tinygltf::Primitive& primitive) {
   const std::size_t corners = corner_count(document, primitive);
   return is_list(primitive) ? corners / 3 : corners >= 3 ? corners - 2 : 0;

@@ -27,6 +27,9 @@ bool draws_triangles(const tinygltf::Primitive& primitive);
 std::size_t triangle_count(const GltfDocument& document, const tinygltf::Primitive& primitive);
 std::size_t vertex_count(const GltfDocument& document, const tinygltf::Primitive& primitive);
 
+/// Vertices to make room for: not those that a primitive with fewer indices than vertices leaves to others.
+std::size_t stored_vertex_count(const GltfDocument& document, const tinygltf::Primitive& primitive);
+
 /// Whether vertices are left over after the last whole triangle.
 bool has_left_over(const GltfDocument& document, const tinygltf::Primitive& primitive);
 
