@@ -33,10 +33,6 @@ void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& war
 
 void check_complete(const GltfDocument& document, const Scene& scene) {
   const std::string file = document.file.path.string();
-  if (scene.camera.width == 0) {
-    throw InputError(file, "the scene has no perspective camera",
-                     "add one, and let the exporter include cameras");
-  }
   if (scene.emission_spectra.empty()) {
     throw InputError(file, "nothing in the scene emits light", "give a material an emissiveFactor above 0");
   }

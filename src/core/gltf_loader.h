@@ -17,9 +17,9 @@ struct EmitterOverride {
 
 struct GltfOptions {
   std::vector<EmitterOverride> emitters{};  ///< later ones win; a NAME wins over an empty name
-  std::string camera{};                     ///< name of a camera or its node; empty: the first in the scene
-  int width = 0, height = 0;      ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
-  bool allow_incomplete = false;  ///< no camera (its width stays 0) and no light are no errors
+  std::string camera{};       ///< name of a camera or its node, else its index; empty: the first in the scene
+  int width = 0, height = 0;  ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
+  bool allow_incomplete = false;  ///< no light is no error
 };
 
 /// Loads the default scene of a .gltf or .glb file. Everything read from the file is checked before it is
