@@ -8,6 +8,7 @@
 #include "core/gltf/document.h"
 #include "core/gltf/emission.h"
 #include "core/gltf/geometry.h"
+#include "core/gltf/lights.h"
 #include "core/gltf/material.h"
 #include "core/gltf/nodes.h"
 #include "core/gltf/rules.h"
@@ -35,9 +36,6 @@ void check_complete(const GltfDocument& document, const Scene& scene) {
     throw InputError(file, "the scene has no perspective camera",
                      "add one, and let the exporter include cameras");
   }
-  if (scene.emission_spectra.empty()) {
-    throw InputError(file, "nothing in the scene emits light", "give a material an emissiveFactor above 0");
-  }
 }
 
 }  // namespace
@@ -49,7 +47,11 @@ Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
   warn_of_extensions(document, scene.warnings);
   load_gltf_materials(document, scene);
   load_gltf_geometry(document, instances, scene);
-  load_gltf_emission(document, options.emitters, scene);
+  GltfEmissions emissions(document, options.emitters, scene);
+  load_gltf_emission(document, emissions, scene);
+  load_gltf_lights(document, instances, options, emissions, scene);
+  load_gltf_environment(document, options, emissions, scene);
+  emissions.check_overrides();
   load_gltf_camera(document, instances, options, scene);
   if (!options.allow_incomplete) check_complete(document, scene);
   return scene;

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/camera.h"
+#include "core/lights/environment.h"
+#include "core/lights/punctual_light.h"
 #include "core/math.h"
 #include "spectral/spectrum.h"
 
@@ -64,6 +67,8 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<TabulatedSpectrum> emission_spectra;  ///< distinct; each with ∫ȳI dλ / ∫ȳ dλ = 1
   std::vector<std::string> emission_names;          ///< of each spectrum, as the user called it
+  std::vector<PunctualLight> punctual_lights;
+  std::shared_ptr<const Environment> environment;  ///< none: paths that leave the scene end in the dark
   Camera camera;
   Vec3d origin;  ///< world position of the coordinates' zero: floats stay accurate far from 0
   std::vector<std::string> warnings;  ///< one line each: what was ignored or mended

@@ -1,6 +1,7 @@
 #include "core/gltf/emission.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -63,79 +64,69 @@ const EmitterOverride* find_override(const std::vector<EmitterOverride>& overrid
   return found;
 }
 
-NamedEmission emission_of(const GltfDocument& document, std::size_t index,
+NamedEmission emission_of(const GltfDocument& document, const GltfEmitter& emitter,
                           const std::vector<EmitterOverride>& overrides) {
-  const tinygltf::Material& material = document.model.materials[index];
-  if (const EmitterOverride* given = find_override(overrides, material.name)) {
+  if (const EmitterOverride* given = find_override(overrides, emitter.name)) {
     return {unit_luminance(parse_spectrum(given->text, {}, Beyond::zero), "--emitter " + given->text),
             given->text};
   }
-  const std::string where = fmt::format("{}#/materials/{}", document.file.path.string(), index);
-  if (const auto given = extras_spectrum(document, index, "emission_spectrum", Beyond::zero)) {
-    return {unit_luminance(given->spectrum, where + "/extras/emission_spectrum"), given->name};
+  const std::string where = document.file.path.string() + "#" + emitter.pointer;
+  if (emitter.extras) {
+    const std::string owner = fmt::format("of {} {}", emitter.kind, emitter.name);
+    if (const auto given = extras_spectrum(document, *emitter.extras, emitter.pointer, owner,
+                                           "emission_spectrum", Beyond::zero))
+      return {unit_luminance(given->spectrum, where + "/extras/emission_spectrum"), given->name};
   }
-  return emission_from_rgb(emissive_factor(material), where + "/emissiveFactor");
-}
-
-/// The spectrum's index; equal ones are kept once.
-int add_emission(NamedEmission emission, std::vector<std::string>& digests, Scene& scene) {
-  const std::string key = digest(emission.spectrum);
-  const auto found = std::ranges::find(digests, key);
-  const auto index = static_cast<int>(found - digests.begin());
-  if (found != digests.end()) return index;
-  digests.push_back(key);
-  scene.emission_spectra.push_back(std::move(emission.spectrum));
-  scene.emission_names.push_back(std::move(emission.name));
-  return index;
-}
-
-/// Used materials that emit, in the file's order. One that names a lamp but is black is a mistake worth
-/// telling.
-std::vector<std::size_t> list_emitters(const GltfDocument& document, const Scene& scene) {
-  std::set<std::size_t> used;
-  for (const Shape& shape : scene.geometry.shapes) used.insert(shape.material);
-  std::vector<std::size_t> emitters;
-  for (const std::size_t index : used) {
-    if (index >= document.model.materials.size()) continue;
-    const tinygltf::Material& material = document.model.materials[index];
-    if (emitted_luminance(material) > 0.0) {
-      emitters.push_back(index);
-    } else if (material.extras.IsObject() && material.extras.Has("emission_spectrum")) {
-      document.fail(fmt::format("/materials/{}", index), "it has an emission_spectrum but emits nothing",
-                    "set emissiveFactor and emissiveStrength to its luminance");
-    }
-  }
-  return emitters;
-}
-
-void check_overrides(const GltfDocument& document, const std::vector<EmitterOverride>& overrides,
-                     const std::vector<std::size_t>& emitters) {
-  std::string names;
-  for (const std::size_t index : emitters)
-    names += (names.empty() ? "\"" : ", \"") + document.model.materials[index].name + "\"";
-  for (const EmitterOverride& given : overrides) {
-    const auto matches = [&](std::size_t index) {
-      return document.model.materials[index].name == given.name;
-    };
-    if (given.name.empty() || std::ranges::any_of(emitters, matches)) continue;
-    throw InputError(
-        "--emitter " + given.name + "=" + given.text, "no emissive material has that name",
-        names.empty() ? document.file.path.string() + " has no emissive material" : "choose one of " + names);
-  }
+  return emission_from_rgb(emitter.color, where + "/" + emitter.color_member);
 }
 
 }  // namespace
 
-void load_gltf_emission(const GltfDocument& document, const std::vector<EmitterOverride>& overrides,
-                        Scene& scene) {
-  const std::vector<std::size_t> emitters = list_emitters(document, scene);
-  check_overrides(document, overrides, emitters);
-  std::vector<std::string> digests;
-  for (const std::size_t index : emitters) {
-    scene.materials[index].emission_spectrum =
-        add_emission(emission_of(document, index, overrides), digests, scene);
-    scene.materials[index].emission_luminance =
-        static_cast<float>(emitted_luminance(document.model.materials[index]));
+int GltfEmissions::add(const GltfEmitter& emitter) {
+  NamedEmission emission = emission_of(document_, emitter, overrides_);
+  if (std::ranges::count(names_, emitter.name) == 0) names_.push_back(emitter.name);
+  const std::string key = digest(emission.spectrum);
+  const auto found = std::ranges::find(digests_, key);
+  const auto index = static_cast<int>(found - digests_.begin());
+  if (found != digests_.end()) return index;
+  digests_.push_back(key);
+  scene_.emission_spectra.push_back(std::move(emission.spectrum));
+  scene_.emission_names.push_back(std::move(emission.name));
+  return index;
+}
+
+void GltfEmissions::check_dark(const tinygltf::Value& extras, const std::string& pointer,
+                               const std::string& remedy) const {
+  if (extras.IsObject() && extras.Has("emission_spectrum"))
+    document_.fail(pointer, "it has an emission_spectrum but emits nothing", remedy);
+}
+
+void GltfEmissions::check_overrides() const {
+  for (const EmitterOverride& given : overrides_) {
+    if (given.name.empty() || std::ranges::count(names_, given.name) > 0) continue;
+    throw InputError("--emitter " + given.name + "=" + given.text,
+                     "no emissive material or light has that name",
+                     names_.empty() ? document_.file.path.string() + " has none"
+                                    : fmt::format("choose one of \"{}\"", fmt::join(names_, "\", \"")));
+  }
+}
+
+void load_gltf_emission(const GltfDocument& document, GltfEmissions& emissions, Scene& scene) {
+  std::set<std::size_t> used;
+  for (const Shape& shape : scene.geometry.shapes) used.insert(shape.material);
+  for (const std::size_t index : used) {
+    if (index >= document.model.materials.size()) continue;
+    const tinygltf::Material& source = document.model.materials[index];
+    const std::string pointer = fmt::format("/materials/{}", index);
+    const double luminance = emitted_luminance(source);
+    if (!(luminance > 0.0)) {
+      emissions.check_dark(source.extras, pointer,
+                           "set emissiveFactor and emissiveStrength to its luminance");
+      continue;
+    }
+    scene.materials[index].emission_luminance = static_cast<float>(luminance);
+    scene.materials[index].emission_spectrum = emissions.add(
+        {source.name, "material", pointer, "emissiveFactor", emissive_factor(source), &source.extras});
   }
 }
 

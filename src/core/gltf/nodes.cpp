@@ -122,7 +122,8 @@ std::vector<NodeInstance> walk_nodes(const GltfDocument& document, std::vector<s
                     "correct the scales of its parents");
     }
     push_reversed(node.children, instance.to_world, instance.depth + 1);
-    if (node.mesh >= 0 || node.camera >= 0) found.push_back(instance);
+    const bool has_light = node.extensions.contains(kPunctualLights);
+    if (node.mesh >= 0 || node.camera >= 0 || has_light) found.push_back(instance);
     deepest = std::max(deepest, instance.depth);
   }
   if (deepest > kOddDepth) warnings.push_back(fmt::format("nodes lie up to {} levels deep", deepest));

@@ -112,6 +112,10 @@ inline constexpr auto kNumbers = std::to_array<Number>({
     {"materials/*/extensions/KHR_materials_volume/thicknessFactor", 0, kNoLimit},
     {"materials/*/extensions/KHR_materials_volume/attenuationDistance", 1e-30, kNoLimit},
     {"materials/*/extensions/KHR_materials_emissive_strength/emissiveStrength", 0, 1e15},
+    {"extensions/KHR_lights_punctual/lights/*/intensity", 0, 1e15},
+    {"extensions/KHR_lights_punctual/lights/*/range", 0, kNoLimit},
+    {"extensions/KHR_lights_punctual/lights/*/spot/innerConeAngle", 0, 1.5708},
+    {"extensions/KHR_lights_punctual/lights/*/spot/outerConeAngle", 0, 1.5708},
 });
 
 /// Lists of `size` numbers. Emission and specular colours above 1 do no harm and are seen in the wild.
@@ -126,6 +130,7 @@ inline constexpr auto kVectors = std::to_array<Vector>({
     {"nodes/*/rotation", 4, -kNoLimit, kNoLimit},
     {"nodes/*/scale", 3, -kNoLimit, kNoLimit},
     {"materials/*/emissiveFactor", 3, 0, 1e6},
+    {"extensions/KHR_lights_punctual/lights/*/color", 3, 0, 1e6},
     {"materials/*/pbrMetallicRoughness/baseColorFactor", 4, 0, 1},
     {"materials/*/extensions/KHR_materials_specular/specularColorFactor", 3, 0, kNoLimit},
     {"materials/*/extensions/KHR_materials_volume/attenuationColor", 3, 0, 1},
@@ -196,6 +201,7 @@ inline constexpr auto kObjects = std::to_array<std::string_view>({
 
 /// Extensions that a file may require: rendered, or without effect on what is rendered.
 inline constexpr auto kSupported = std::to_array<std::string_view>({
+    "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
     "KHR_materials_specular",
@@ -208,7 +214,6 @@ inline constexpr auto kSupported = std::to_array<std::string_view>({
 });
 /// May be required too, but the loader warns of what it leaves out.
 inline constexpr auto kReported = std::to_array<std::string_view>({
-    "KHR_lights_punctual",
     "KHR_materials_unlit",
     "KHR_texture_transform",
 });
