@@ -95,6 +95,14 @@ TEST_F(GltfGeometry, PrimitivesWithoutAttributesAreFilled) {
   EXPECT_EQ(g.shapes.size(), 1u);  // the same material
 }
 
+TEST_F(GltfGeometry, CoordinatesThatNoPrimitiveHasAreZero) {
+  const Scene scene = load_geometry(write("a.gltf", SquareFile{}.str()), textured(5));
+  EXPECT_EQ(scene.geometry.uvs[0], std::vector<Vec2f>(4));
+  EXPECT_TRUE(scene.geometry.uvs[1].empty());
+  EXPECT_EQ(scene.geometry.uvs[2], std::vector<Vec2f>(4));
+  ASSERT_EQ(scene.warnings.size(), 1u);
+}
+
 TEST_F(GltfGeometry, ColoursOfIntegersAreNormalised) {
   SquareFile file;
   file.primitive = with_attribute(

@@ -289,7 +289,7 @@ TEST_F(GltfTest, CompleteScenesHaveALight) {
 TEST_F(GltfTest, CornellBox) {
   const Scene scene = load_gltf(std::filesystem::path(PHOTOPIC_SCENES) / "cornell-box" / "scene.gltf");
   EXPECT_EQ(scene.geometry.triangles.size(), 32u);  // 5 walls, 2 × 5 faces, the lamp
-  EXPECT_EQ(scene.geometry.shapes.size(), 4u);  // white, red, green, the lamp
+  EXPECT_EQ(scene.geometry.shapes.size(), 4u);      // white, red, green, the lamp
   EXPECT_TRUE(scene.warnings.empty());
   EXPECT_EQ(scene.camera.width, 256);
   EXPECT_NEAR(scene.camera.tan_half_yfov, 0.0125 / 0.035, 1e-6);

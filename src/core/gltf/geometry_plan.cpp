@@ -10,7 +10,7 @@ namespace photopic {
 namespace {
 
 constexpr std::size_t kMaxVertices = 100'000'000, kMaxTriangles = 100'000'000;  // some 4 GB, instances baked
-constexpr std::size_t kMinSaved = 100'000, kMinShared = 32;                     // triangles
+constexpr std::size_t kMinSaved = 100'000, kMinShared = 8;                      // triangles
 constexpr double kMinScale = 1e-6, kMaxScale = 1e6, kMaxGain = 100.0;
 
 /// What can be drawn of a mesh, found once.
@@ -74,9 +74,7 @@ void count_needs(const GltfDocument& document, const std::vector<Material>& mate
   plan.normals |= has("NORMAL");
   plan.colors |= has("COLOR_0");
   plan.tangents |= material.needs_tangents && has("TANGENT");
-  for (int set = 0; set < kUvSets; ++set)
-    if (material.uv_sets >> set & 1 && has(fmt::format("TEXCOORD_{}", set)))
-      plan.uv_sets |= static_cast<std::uint8_t>(1 << set);
+  plan.uv_sets |= material.uv_sets;
 }
 
 }  // namespace
