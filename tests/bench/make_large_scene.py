@@ -3,7 +3,7 @@
 
   make_large_scene.py FILE.glb [--triangles N] [--nodes M] [--instances]
 
-N triangles in all, on M waves with normals and texture coordinates; with --instances the M nodes share one mesh.
+About N triangles in all, on M waves with normals and texture coordinates; with --instances the M nodes share one mesh.
 """
 
 import argparse

@@ -19,7 +19,7 @@ Vec3f world_position(const Scene& scene, std::size_t i) {
 
 /// The geometry alone, for materials as told.
 Scene load_geometry(const std::filesystem::path& file, const Material& material) {
-  const GltfDocument document = read_gltf_document(file);
+  const GltfDocument document = read_gltf_document(read_gltf_bytes(file), file);
   Scene scene;
   scene.materials.assign(document.model.materials.size() + 1, material);
   load_gltf_geometry(document, walk_nodes(document, scene.warnings), scene);
@@ -93,6 +93,14 @@ TEST_F(GltfGeometry, PrimitivesWithoutAttributesAreFilled) {
   ASSERT_EQ(scene.warnings.size(), 1u);
   EXPECT_NE(scene.warnings[0].find("texture coordinates"), std::string::npos);
   EXPECT_EQ(g.shapes.size(), 1u);  // the same material
+}
+
+TEST_F(GltfGeometry, CoordinatesThatNoPrimitiveHasAreZero) {
+  const Scene scene = load_geometry(write("a.gltf", SquareFile{}.str()), textured(5));
+  EXPECT_EQ(scene.geometry.uvs[0], std::vector<Vec2f>(4));
+  EXPECT_TRUE(scene.geometry.uvs[1].empty());
+  EXPECT_EQ(scene.geometry.uvs[2], std::vector<Vec2f>(4));
+  ASSERT_EQ(scene.warnings.size(), 1u);
 }
 
 TEST_F(GltfGeometry, ColoursOfIntegersAreNormalised) {

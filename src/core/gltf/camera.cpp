@@ -168,6 +168,7 @@ void load_gltf_camera(const GltfDocument& document, const std::vector<NodeInstan
   }
   set_resolution(document, kDefaultAspect, options, scene.camera);
   frame(bounding_sphere(scene.geometry), scene.camera);
+  scene.camera_name = "framing the whole scene";
   scene.warnings.push_back(
       fmt::format("no camera in {}: framing the whole scene", document.file.path.string()));
 }

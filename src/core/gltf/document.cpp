@@ -77,7 +77,7 @@ std::vector<std::filesystem::path> named_files(const GltfDocument& document, con
 /// ignores, and refuses indices without a bufferView, which are valid when sparse: an extra, last view stands
 /// for "none" (the accessors' reader knows).
 std::string text_for_tinygltf(Json& json) {
-  for (const char* unused : {"buffers", "images", "textures", "samplers", "animations"}) json.erase(unused);
+  for (const char* unused : {"buffers", "images", "animations"}) json.erase(unused);
   if (json.contains("cameras")) {
     for (Json& camera : json["cameras"]) {
       if (camera.contains("perspective")) camera["perspective"].emplace("znear", 0.01);

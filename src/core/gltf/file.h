@@ -13,7 +13,7 @@ namespace photopic {
 /// A .gltf or .glb file in memory, taken apart but not yet parsed.
 struct GltfFile {
   std::filesystem::path path;
-  std::vector<std::byte> bytes;
+  std::vector<char> bytes;
   std::string_view json;           ///< in `bytes`; gone once it has been parsed
   std::span<const std::byte> bin;  ///< in `bytes`; the .glb's binary chunk, empty when there is none
 };

@@ -104,7 +104,6 @@ class GeometryLoader {
     }
     for (const auto& [prototype, place] : plan_.instances)
       append_instance(prototype, plan_.places[place].to_world);
-    geometry_.triangles.shrink_to_fit();
     plan_.tally.report(scene_.warnings);
   }
 

@@ -10,7 +10,7 @@ namespace photopic {
 namespace {
 
 constexpr std::size_t kMaxVertices = 100'000'000, kMaxTriangles = 100'000'000;  // some 4 GB, instances baked
-constexpr std::size_t kMinSaved = 100'000, kMinShared = 32;                     // triangles
+constexpr std::size_t kMinSaved = 100'000, kMinShared = 8;                      // triangles
 constexpr double kMinScale = 1e-6, kMaxScale = 1e6, kMaxGain = 100.0;
 
 /// What can be drawn of a mesh, found once.
@@ -24,13 +24,15 @@ struct MeshParts {
 };
 
 /// An --emitter may change what such a material emits, not whether.
-bool is_emissive(const GltfDocument& document, int material) {
+bool is_emissive(const GltfDocument& document, int material, const std::vector<Material>& materials) {
   if (material < 0) return false;
+  if (materials.at(static_cast<std::size_t>(material)).unlit) return true;
   return std::ranges::any_of(document.model.materials[material].emissiveFactor,
                              [](double c) { return c > 0; });
 }
 
-void find_parts(const GltfDocument& document, std::uint32_t mesh, MeshParts& found) {
+void find_parts(const GltfDocument& document, std::uint32_t mesh, const std::vector<Material>& materials,
+                MeshParts& found) {
   const auto& primitives = document.model.meshes[mesh].primitives;
   found.known = true;
   for (std::uint32_t i = 0; i < primitives.size(); ++i) {
@@ -42,7 +44,7 @@ void find_parts(const GltfDocument& document, std::uint32_t mesh, MeshParts& fou
     } else {
       const std::size_t material = primitive.material >= 0 ? static_cast<std::size_t>(primitive.material)
                                                            : document.model.materials.size();
-      const bool emissive = is_emissive(document, primitive.material);
+      const bool emissive = is_emissive(document, primitive.material, materials);
       (emissive ? found.emissive : found.solid)
           .push_back({kNoPlace, {mesh, i}, static_cast<std::uint32_t>(material)});
       if (!emissive) found.triangles += triangle_count(document, primitive);
@@ -74,9 +76,7 @@ void count_needs(const GltfDocument& document, const std::vector<Material>& mate
   plan.normals |= has("NORMAL");
   plan.colors |= has("COLOR_0");
   plan.tangents |= material.needs_tangents && has("TANGENT");
-  for (int set = 0; set < kUvSets; ++set)
-    if (material.uv_sets >> set & 1 && has(fmt::format("TEXCOORD_{}", set)))
-      plan.uv_sets |= static_cast<std::uint8_t>(1 << set);
+  plan.uv_sets |= material.uv_sets;
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ GeometryPlan plan_gltf_geometry(const GltfDocument& document, const std::vector<
   for (const NodeInstance& place : plan.places) {
     const tinygltf::Node& node = document.model.nodes[place.node];
     MeshParts& mesh = meshes[static_cast<std::size_t>(node.mesh)];
-    if (!mesh.known) find_parts(document, static_cast<std::uint32_t>(node.mesh), mesh);
+    if (!mesh.known) find_parts(document, static_cast<std::uint32_t>(node.mesh), materials, mesh);
     if (is_shareable(node, place.to_world)) ++mesh.shareable;
   }
   for (MeshParts& mesh : meshes) {
