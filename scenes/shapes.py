@@ -46,6 +46,37 @@ def torus(major, minor, rings=96, sectors=48):
     return positions, orient_by_normals(positions, normals, grid_triangles(rings, sectors, wrap_rows=True)), normals
 
 
+def rod(a, b, radius, sectors=12):
+    """A cylinder without caps from a to b."""
+    axis = tuple(q - p for p, q in zip(a, b))
+    length = math.hypot(*axis)
+    w = tuple(x / length for x in axis)
+    side = (1, 0, 0) if abs(w[0]) < 0.5 else (0, 1, 0)
+    u = (w[1] * side[2] - w[2] * side[1], w[2] * side[0] - w[0] * side[2], w[0] * side[1] - w[1] * side[0])
+    norm = math.hypot(*u)
+    u = tuple(x / norm for x in u)
+    v = (w[1] * u[2] - w[2] * u[1], w[2] * u[0] - w[0] * u[2], w[0] * u[1] - w[1] * u[0])
+    positions, normals = [], []
+    for end in (a, b):
+        for j in range(sectors):
+            c, s = math.cos(2 * math.pi * j / sectors), math.sin(2 * math.pi * j / sectors)
+            normal = tuple(c * p + s * q for p, q in zip(u, v))
+            normals.append(normal)
+            positions.append(tuple(e + radius * n for e, n in zip(end, normal)))
+    return positions, orient_by_normals(positions, normals, grid_triangles(2, sectors, wrap_rows=False)), normals
+
+
+def lathe(profile, sectors=64):
+    """The surface swept by a profile of (radius, height, normal's radius, normal's height) about the y axis; no caps."""
+    positions, normals = [], []
+    for radius, height, across, up in profile:
+        for j in range(sectors):
+            c, s = math.cos(2 * math.pi * j / sectors), math.sin(2 * math.pi * j / sectors)
+            positions.append((radius * c, height, radius * s))
+            normals.append((across * c, up, across * s))
+    return positions, orient_by_normals(positions, normals, grid_triangles(len(profile), sectors, wrap_rows=False)), normals
+
+
 def box(x, y, z):
     """The six quads of a box of these half lengths about the origin, seen from outside."""
     p = lambda i: ((i & 1 or -1) * x, ((i & 2) - 1) * y, ((i & 4) / 2 - 1) * z)

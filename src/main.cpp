@@ -14,6 +14,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "error.h"
+#include "optimize/solver.h"
 
 namespace photopic {
 namespace {
@@ -64,6 +65,9 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     print_error(error.what());
     return kExitBadInput;
+  } catch (const SearchStopped&) {
+    print_error("interrupted while optimising; nothing is written");
+    return kExitInterrupted;
   } catch (const std::bad_alloc&) {
     print_error("out of memory; choose a smaller resolution or scene");
     return kExitBadInput;

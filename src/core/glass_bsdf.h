@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bsdf.h"
+#include "core/fresnel.h"
 #include "core/microfacet.h"
 
 namespace photopic {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bsdf.h"
+#include "core/fresnel.h"
 #include "core/ggx_albedo.h"
 #include "core/microfacet.h"
 

@@ -16,7 +16,7 @@ struct Vertex {
         point(surface_point(scene.scene.geometry, hit)),
         frame(shading_frame(point, wo_world, Bsdf::kTwoSided)),
         wo(frame.to_local(wo_world)),
-        bsdf(ShadingMaterial<N>(surface, lambda)) {}
+        bsdf(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit})) {}
 
   BsdfValue<N> evaluate(Vec3f wi) const {
     const Vec3f local = frame.to_local(wi);

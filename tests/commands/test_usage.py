@@ -10,7 +10,8 @@ from tiny_scene import write_tiny_scene
 COMMANDS = {
     "render": "--output --spp --sampler --wavelengths --emitter --distribution --resolution --camera --max-depth "
     "--sequence --exposure --seed --threads --quiet --json --stats --batch-size --no-cache",
-    "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet",
+    "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet "
+    "--compare-wavelengths --nodes --reflectances",
     "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter",
     "diff": "--json --threads",
     "info": "--emitter --resolution --camera --threads --json",
