@@ -24,7 +24,7 @@ void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& war
   };
   std::vector<std::string> names = document.model.extensionsUsed;
   std::ranges::sort(names);
-  names.erase(std::ranges::unique(names).begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   for (const std::string& name : names) {
     if (!known(name)) warnings.push_back(fmt::format("the extension {} is ignored", name.substr(0, 60)));
   }
