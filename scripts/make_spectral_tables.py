@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Writes src/spectral/tables/*.inc from a folder of reference CSV files (cie1931_2deg_1nm.csv, cie1964_10deg_1nm.csv,
-illuminants/NAME.csv; wavelength in nm first). Numbers are copied as they stand.
+illuminants/NAME.csv; conductors/NAME.eta.spd and NAME.k.spd; wavelength in nm first). Numbers are copied as they stand.
 
 usage: make_spectral_tables.py REFERENCE_FOLDER"""
 
@@ -22,6 +22,7 @@ ILLUMINANTS = (
     + [f"LED-B{i}" for i in range(1, 6)]
     + ["LED-BH1", "LED-RGB1", "LED-V1", "LED-V2", "ID50", "ID65"]
 )
+CONDUCTORS = ["Ag", "Al", "Au", "Cr", "Cu"]
 
 
 def rows(path):
@@ -50,6 +51,26 @@ def write_illuminants(reference):
     (TABLES / "illuminants.inc").write_text("\n".join(lines) + "\n")
 
 
+def pairs(path):
+    return [line.split() for line in path.read_text().splitlines() if line and not line.startswith("#")]
+
+
+def write_conductors(reference):
+    lines = ["// Optical constants of metals as collected by luxpop.com (Palik, Handbook of Optical Constants of Solids, and"]
+    lines += ["// others): name, wavelengths [nm], n, k."]
+    lines += ["// Written by scripts/make_spectral_tables.py."]
+    for name in CONDUCTORS:
+        n, k = (pairs(reference / "conductors" / f"{name}.{part}.spd") for part in ("eta", "k"))
+        assert [row[0] for row in n] == [row[0] for row in k]
+        lines.append(f'{{"{name}",')
+        for column in ([row[0] for row in n], [row[1] for row in n], [row[1] for row in k]):
+            lines.append(" {")
+            lines += textwrap.wrap(", ".join(column), 106, initial_indent="  ", subsequent_indent="  ")
+            lines.append(" },")
+        lines.append("},")
+    (TABLES / "conductors.inc").write_text("\n".join(lines) + "\n")
+
+
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
@@ -58,6 +79,7 @@ def main():
     for name, (file, source) in OBSERVERS.items():
         write_observer(reference, name, file, source)
     write_illuminants(reference)
+    write_conductors(reference)
 
 
 main()

@@ -10,7 +10,8 @@
 namespace photopic {
 namespace {
 
-const CLI::Range kSamplesRange(1, 1 << 24);
+constexpr int kMaxSamples = 1 << 24;
+const CLI::Range kSamplesRange(1, kMaxSamples);
 
 const CLI::Validator kFinite(
     [](std::string& text) {
@@ -21,8 +22,8 @@ const CLI::Validator kFinite(
     },
     "-100…100");
 
-/// @param served what the --distribution serves
-void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served) {
+/// What a scene is loaded with.
+void bind_scene_file(CLI::App& command, SceneArguments& a) {
   command.add_option("SCENE", a.scene, "A glTF 2.0 file, .gltf or .glb")->required()->type_name("");
   command
       .add_option("--emitter", a.emitters,
@@ -34,7 +35,11 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
       ->type_name("WxH");
   command.add_option("--camera", a.camera, "The camera's name; the scene's first if not given")
       ->type_name("NAME");
+}
 
+/// @param served what the --distribution serves
+void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served) {
+  bind_scene_file(command, a);
   command.add_option("--spp", a.spp, "Samples per pixel")
       ->capture_default_str()
       ->check(kSamplesRange)
@@ -54,6 +59,13 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
       ->capture_default_str()
       ->check(one_of({"sobol", "independent"}))
       ->type_name("NAME");
+  command
+      .add_option("--observer", a.observer,
+                  "CIE standard observer: 1931 (2 degrees) or 1964 (10 degrees; D65 comes out white for "
+                  "either). Luminances are 1931's")
+      ->capture_default_str()
+      ->check(CLI::IsMember({1931, 1964}))
+      ->type_name("YEAR");
   command
       .add_option("--max-depth", a.max_depth,
                   "Surfaces a path meets at most; light seen directly has depth 1")
@@ -90,6 +102,34 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       ->capture_default_str()
       ->check(one_of({"uniform", "visible", "illuminant", "optimized"}))
       ->type_name("NAME");
+  command
+      .add_option("--time", a->scene.seconds,
+                  "End the render after so many seconds, scene and optimisation not counted; without --spp "
+                  "as many samples as fit")
+      ->check(CLI::Range(1e-3, 1e9))
+      ->type_name("SECONDS");
+  command
+      .add_option(
+          "--target-error", a->scene.target_error,
+          "End each 16x16 pixels when their expected mean ΔE (CIEDE2000, 0 EV) is this or less; without "
+          "--spp however many samples that takes")
+      ->check(CLI::Range(1e-3, 1e3))
+      ->type_name("ΔE");
+  command.parse_complete_callback([a, &command] {
+    const bool limited = a->scene.seconds > 0 || a->scene.target_error > 0;
+    if (limited && command.count("--spp") == 0) a->scene.spp = kMaxSamples;
+  });
+  command
+      .add_option("--color", a->color,
+                  "What an EXR holds: srgb (linear sRGB) or xyz (CIE XYZ as observed, without white balance)")
+      ->capture_default_str()
+      ->check(one_of({"srgb", "xyz"}))
+      ->type_name("SPACE");
+  command
+      .add_option("--white-balance", a->white_balance,
+                  "What comes out white, by Bradford adaptation: a SPECTRUM, or illuminant for the scene's "
+                  "lamps; D65 if not given")
+      ->type_name("SPECTRUM");
   bind_seed(command, a->scene.seed);
   bind_threads(command, threads);
   bind_json(command, a->json);
@@ -151,6 +191,19 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
       "\n\nExample: photopic compare box.gltf --emitter cie:FL11 --samplers uniform,optimized --report out");
 }
 
+void bind_info(CLI::App& app, std::function<int()>& action, int& threads) {
+  auto a = std::make_shared<InfoArguments>();
+  CLI::App& command = *add_command(
+      app, "info", "Describe a scene: what it holds and what a render of it will use", action, run_info, a);
+  bind_scene_file(command, a->scene);
+  bind_threads(command, threads);
+  bind_json(command, a->json);
+  command.footer(
+      std::string(kSpectrumHelp) +
+      "\n\nLuminances are in cd/m², luminous fluxes in lm, lengths in m. Memory is an estimate.\n\n"
+      "Example: photopic info box.gltf --json box.json");
+}
+
 void bind_spectrum(CLI::App& app, std::function<int()>& action) {
   auto a = std::make_shared<SpectrumArguments>();
   CLI::App& command = *add_command(app, "spectrum", "Describe a lamp: its colour, temperature and lines",
@@ -183,6 +236,7 @@ void bind_diff(CLI::App& app, std::function<int()>& action, int& threads) {
 
 void bind_commands(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_render(app, action, threads);
+  bind_info(app, action, threads);
   bind_optimize(app, action, threads);
   bind_compare(app, action, threads);
   bind_spectrum(app, action);

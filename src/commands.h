@@ -23,11 +23,14 @@ struct SceneArguments {
   std::string camera;                 ///< empty: the scene's first
   std::string resolution;             ///< "WxH" [pixels]; empty: the camera's
 
-  int spp = 64;                        ///< samples per pixel
+  int spp = 64;                        ///< samples per pixel, at most
+  double seconds = 0;                  ///< end a render after so long; 0: no limit
+  double target_error = 0;             ///< expected mean ΔE at which a part of the image is done; 0: none
   int wavelengths = 0;                 ///< a path's: 1, 4, 8 or 16; 0: the distribution's, else 4
   std::filesystem::path distribution;  ///< of the optimised sampler; empty: optimise on the spot
   bool no_cache = false;
   std::string sequence = "sobol";  ///< or "independent"
+  int observer = 1931;             ///< or 1964, the CIE standard observer
   int max_depth = 64;              ///< surfaces met by a path at most
   int batch_size = 1024;           ///< paths advanced together
   double exposure = 0.0;           ///< [EV], of 8-bit outputs only
@@ -40,6 +43,8 @@ struct RenderArguments {
   SceneArguments scene;
   std::vector<std::filesystem::path> outputs;
   std::string sampler = "optimized";
+  std::string color = "srgb";  ///< what an EXR holds; or "xyz"
+  std::string white_balance;   ///< the SPECTRUM that comes out white, or "illuminant"; empty: D65
   std::filesystem::path json;
 };
 int run_render(const RenderArguments& arguments);
@@ -56,6 +61,12 @@ struct CompareArguments {
   std::filesystem::path report;  ///< a folder for images, color bars and the table
 };
 int run_compare(const CompareArguments& arguments);
+
+struct InfoArguments {
+  SceneArguments scene;  ///< the file, camera, resolution and emitters alone
+  std::filesystem::path json;
+};
+int run_info(const InfoArguments& arguments);
 
 struct OptimizeArguments {
   std::vector<std::string> spectra;      ///< "SPECTRUM[*POWER]"

@@ -11,6 +11,7 @@
 #include "output_file.h"
 #include "sampler_choice.h"
 #include "scene_setup.h"
+#include "white_balance.h"
 
 namespace photopic {
 namespace {
@@ -33,7 +34,10 @@ struct Setting {
   const PreparedScene& scene;
   int wavelengths;
   Xyz white;
+  ChromaticAdaptation adaptation;  ///< from the observer's D65
   DistributionRequest request;
+
+  Image develop(const Film& film) const { return film.to_linear_srgb(adaptation); }
 };
 
 std::vector<std::filesystem::path> report_files(const CompareArguments& arguments) {
@@ -46,7 +50,8 @@ std::vector<std::filesystem::path> report_files(const CompareArguments& argument
   return files;
 }
 
-void check_outputs(const CompareArguments& arguments) {
+/// @return what will be written
+std::vector<std::filesystem::path> check_outputs(const CompareArguments& arguments) {
   std::vector<std::filesystem::path> outputs;
   if (!arguments.json.empty()) check_writable_file(arguments.json);
   if (!arguments.report.empty()) {
@@ -57,6 +62,7 @@ void check_outputs(const CompareArguments& arguments) {
   std::vector<std::filesystem::path> inputs = input_files(arguments.scene);
   inputs.push_back(arguments.reference);
   check_no_overwriting(outputs, inputs);
+  return outputs;
 }
 
 Image average(const Image& a, const Image& b) {
@@ -89,7 +95,7 @@ std::optional<Reference> render_reference(const Setting& setting, const Waveleng
         render_with_progress(fmt::format("reference, half {}", i), setting.scene, sampler, options, half,
                              options.seed + i * kReferenceSeedDistance);
     if (result.stats.stopped) return std::nullopt;
-    halves.push_back(result.film.to_linear_srgb());
+    halves.push_back(setting.develop(result.film));
     reference.render_seconds += result.stats.seconds;
   }
   reference.spp = 2 * half;
@@ -146,7 +152,7 @@ Run measure(const Setting& setting, const Reference& reference, const Entry& fir
   run.render_seconds = median(entry.seconds);
   run.time_ratio = median_time_ratio(first, entry);
   run.optimize_seconds = entry.chosen.optimize_seconds;
-  run.metrics = compare_images(reference.image, entry.result->film.to_linear_srgb(), setting.white);
+  run.metrics = compare_images(reference.image, setting.develop(entry.result->film), setting.white);
   if (!setting.arguments.report.empty())
     run.image = (setting.arguments.report / (entry.name + ".exr")).string();
   return run;
@@ -167,7 +173,7 @@ std::optional<ErrorCurve> measure_curve(const Setting& setting, const Reference&
         render_with_progress(fmt::format("{}, {} spp", entry.name, spp), setting.scene, entry.chosen.sampler,
                              setting.arguments.scene, spp, entry.seed);
     if (result.stats.stopped) return std::nullopt;
-    const Image image = result.film.to_linear_srgb();
+    const Image image = setting.develop(result.film);
     curve.seconds.push_back(result.stats.seconds);
     curve.mean_delta_e.push_back(compare_images(reference.image, image, setting.white).mean_delta_e);
   }
@@ -185,6 +191,7 @@ void write_reference(const Setting& setting, Reference& reference) {
   Run run;
   run.sampler = "optimized";
   run.spp = reference.spp;
+  run.mean_spp = reference.spp;
   run.wavelengths = setting.wavelengths;
   run.seed = setting.arguments.scene.seed + kReferenceSeedDistance;
   run.render_seconds = reference.render_seconds;
@@ -198,7 +205,7 @@ void write_report(const Setting& setting, const std::vector<Entry>& entries, Com
   std::vector<WavelengthSampler> samplers;
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     const Run& run = comparison.runs[i];
-    write_pair(setting, run.sampler, entries[i].result->film.to_linear_srgb(), run);
+    write_pair(setting, run.sampler, setting.develop(entries[i].result->film), run);
     samplers.push_back(entries[i].chosen.sampler);
   }
   write_color_bar(folder / "color-bars.png", samplers, scene_emission(setting.scene));
@@ -237,10 +244,14 @@ Comparison compare(const Setting& setting, std::vector<Entry>& entries) {
 
 int run_compare(const CompareArguments& arguments) {
   interrupt_flag();  // from here on Ctrl-C keeps what is done
-  check_outputs(arguments);
+  const std::vector<std::filesystem::path> outputs = check_outputs(arguments);
   const int wavelengths = choose_wavelength_count(arguments.scene.wavelengths, arguments.scene.distribution);
-  const PreparedScene scene(load_scene(arguments.scene));
-  const Setting setting{arguments, scene, wavelengths, white_point(arguments.white, scene_emission(scene)),
+  const PreparedScene scene(load_scene(arguments.scene, outputs));
+  const Setting setting{arguments,
+                        scene,
+                        wavelengths,
+                        white_point(arguments.white, scene_emission(scene)),
+                        white_balance("", standard_observer(arguments.scene), scene),
                         distribution_request(arguments.scene, scene, wavelengths, arguments.white)};
 
   std::vector<Entry> entries = choose_samplers(setting);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "commands.h"
@@ -11,6 +12,7 @@
 #include "sampler_choice.h"
 #include "scene_setup.h"
 #include "stopwatch.h"
+#include "white_balance.h"
 
 namespace photopic {
 namespace {
@@ -20,12 +22,18 @@ struct PhaseTimes {
   double load = 0, prepare = 0, optimize = 0, write = 0;
 };
 
-void check_outputs(const RenderArguments& arguments) {
+/// @return what will be written
+std::vector<std::filesystem::path> check_outputs(const RenderArguments& arguments) {
   for (const auto& output : arguments.outputs) check_writable_image(output);
   if (!arguments.json.empty()) check_writable_file(arguments.json);
   std::vector<std::filesystem::path> outputs = arguments.outputs;
   outputs.push_back(arguments.json);
-  check_no_overwriting(outputs, input_files(arguments.scene));
+  if (arguments.color == "xyz" && std::ranges::none_of(arguments.outputs, can_hold_xyz))
+    throw InputError("--color xyz", "no output is an .exr, which alone can hold CIE XYZ", "add -o NAME.exr");
+  std::vector<std::filesystem::path> inputs = input_files(arguments.scene);
+  inputs.push_back(arguments.white_balance);
+  check_no_overwriting(outputs, inputs);
+  return outputs;
 }
 
 void write_json(const RenderArguments& arguments, const Scene& scene, const Run& run,
@@ -53,8 +61,10 @@ void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
   const double paths = static_cast<double>(run.stats.paths);
   fmt::print("scene:    {} triangles, {} shapes, {} materials; lamps: {}\n", scene.geometry.triangles.size(),
              scene.geometry.shapes.size(), scene.materials.size(), fmt::join(scene.emission_names, ", "));
-  fmt::print("samples:  {}, of {} wavelengths each; {} not finite\n", run.stats.paths, run.wavelengths,
-             run.stats.non_finite);
+  fmt::print("samples:  {}, {:.4g} a pixel, of {} wavelengths each; {} not finite\n", run.stats.paths,
+             run.mean_spp, run.wavelengths, run.stats.non_finite);
+  if (run.stats.expected_delta_e)
+    fmt::print("error:    a mean ΔE of {:.3g} is expected\n", *run.stats.expected_delta_e);
   fmt::print("rays:     {:.2f} + {:.2f} shadow rays a sample\n", static_cast<double>(run.stats.rays) / paths,
              static_cast<double>(run.stats.shadow_rays) / paths);
   fmt::print("speed:    {:.3f} M samples/s, {:.3f} M rays/s\n", run.samples_per_second() * 1e-6,
@@ -62,6 +72,15 @@ void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
   fmt::print("seconds:  load {:.3f}, prepare {:.3f}, optimise {:.3f}, render {:.3f}, write {:.3f}\n",
              times.load, times.prepare, times.optimize, run.render_seconds, times.write);
   fmt::print("means:    {}\n", format_means(run));
+}
+
+void write_images(const RenderArguments& arguments, const Film& film, const ChromaticAdaptation& adaptation,
+                  const Scene& scene, const Run& run) {
+  const Image srgb = film.to_linear_srgb(adaptation);
+  for (const auto& output : arguments.outputs) {
+    const bool xyz = arguments.color == "xyz" && can_hold_xyz(output);
+    write_render(output, xyz ? film.to_xyz() : srgb, arguments.scene, scene, run);
+  }
 }
 
 int interrupted_early() {
@@ -74,7 +93,7 @@ int interrupted_early() {
 int run_render(const RenderArguments& arguments) {
   interrupt_flag();  // from here on Ctrl-C keeps what is done
   const SceneArguments& options = arguments.scene;
-  check_outputs(arguments);
+  const std::vector<std::filesystem::path> outputs = check_outputs(arguments);
   if (!options.distribution.empty() && arguments.sampler != "optimized")
     throw InputError("--distribution", "is for the optimised sampler alone",
                      "leave it out or use --sampler optimized");
@@ -82,11 +101,14 @@ int run_render(const RenderArguments& arguments) {
 
   PhaseTimes times;
   const Stopwatch load_watch;
-  Scene loaded = load_scene(options);
+  Scene loaded = load_scene(options, outputs);
   times.load = load_watch.seconds();
   const Stopwatch prepare_watch;
   const PreparedScene scene(std::move(loaded));
   times.prepare = prepare_watch.seconds();
+
+  const ChromaticAdaptation adaptation =
+      white_balance(arguments.white_balance, standard_observer(options), scene);
 
   const Stopwatch optimize_watch;
   const ChosenSampler chosen =
@@ -101,8 +123,7 @@ int run_render(const RenderArguments& arguments) {
   run.optimize_seconds = chosen.optimize_seconds;
   run.image = arguments.outputs.front().string();
   const Stopwatch write_watch;
-  const Image image = result.film.to_linear_srgb();
-  for (const auto& output : arguments.outputs) write_render(output, image, options, scene.scene, run);
+  write_images(arguments, result.film, adaptation, scene.scene, run);
   times.write = write_watch.seconds();
 
   if (!arguments.json.empty()) write_json(arguments, scene.scene, run, times);

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <string_view>
 
-#include "core/gltf_loader.h"
 #include "error.h"
 #include "interrupt.h"
+#include "output_file.h"
 
 namespace photopic {
 namespace {
@@ -53,16 +53,20 @@ std::vector<std::filesystem::path> input_files(const SceneArguments& arguments) 
 }
 
 void print_warning(const std::string& text) {
-  fmt::print(stderr, "warning: {}\n", text);
+  fmt::print(stderr, "warning: {}\n", without_controls(text));
 }
 
-Scene load_scene(const SceneArguments& arguments) {
+GltfOptions gltf_options(const SceneArguments& arguments) {
   GltfOptions options;
   for (const std::string& text : arguments.emitters) options.emitters.push_back(parse_emitter(text));
   options.camera = arguments.camera;
   if (!arguments.resolution.empty()) parse_resolution(arguments.resolution, options);
+  return options;
+}
 
-  Scene scene = load_gltf(arguments.scene, options);
+Scene load_scene(const SceneArguments& arguments, const std::vector<std::filesystem::path>& outputs) {
+  Scene scene = load_gltf(arguments.scene, gltf_options(arguments));
+  check_no_overwriting(outputs, scene.files);
   for (const std::string& warning : scene.warnings) print_warning(warning);
   if (std::int64_t{scene.camera.width} * scene.camera.height > kMaxPixels)
     throw InputError(arguments.scene.string(),
@@ -71,10 +75,17 @@ Scene load_scene(const SceneArguments& arguments) {
   return scene;
 }
 
+const Observer& standard_observer(const SceneArguments& arguments) {
+  return arguments.observer == 1964 ? Observer::cie1964() : Observer::cie1931();
+}
+
 RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint32_t seed,
                              Progress* progress) {
   return {.spp = spp,
+          .seconds = arguments.seconds,
+          .target_error = arguments.target_error,
           .sequence = arguments.sequence == "independent" ? Sequence::independent : Sequence::sobol,
+          .observer = &standard_observer(arguments),
           .seed = seed,
           .max_depth = arguments.max_depth,
           .batch_size = arguments.batch_size,
@@ -87,8 +98,9 @@ RenderResult render_with_progress(const std::string& label, const PreparedScene&
                                   std::uint32_t seed) {
   const Camera& camera = scene.scene.camera;
   const auto samples = std::uint64_t(camera.width) * std::uint64_t(camera.height) * std::uint64_t(spp);
+  const bool known = arguments.target_error == 0;
   RenderResult result = [&] {
-    Progress progress(label, samples, "samples", arguments.quiet);
+    Progress progress(label, known ? samples : 0, "samples", arguments.quiet, arguments.seconds);
     return render(scene, sampler, render_options(arguments, spp, seed, &progress));
   }();
   if (result.stats.non_finite > 0)
@@ -101,9 +113,11 @@ void write_render(const std::filesystem::path& file, const Image& image, const S
                   const Scene& scene, const Run& run) {
   Metadata metadata = {{"scene", arguments.scene.string()},
                        {"sampler", run.sampler},
-                       {"spp", std::to_string(run.spp)},
+                       {"spp", fmt::format("{:.6g}", run.mean_spp)},
                        {"wavelengths", std::to_string(run.wavelengths)},
                        {"seed", std::to_string(run.seed)},
+                       {"observer", fmt::format("CIE {}", arguments.observer)},
+                       {"color", image.space == ColorSpace::xyz ? "CIE XYZ" : "linear sRGB"},
                        {"spectra", fmt::format("{}", fmt::join(scene.emission_names, ", "))},
                        {"version", "photopic " PHOTOPIC_VERSION}};
   if (is_float_image(file)) metadata["render_seconds"] = fmt::format("{:.3f}", run.render_seconds);

@@ -4,7 +4,7 @@
 
 #include "core/frame.h"
 #include "core/sampling.h"
-#include "core/surface.h"
+#include "core/shading_material.h"
 
 namespace photopic {
 
@@ -34,8 +34,7 @@ struct DiffuseBsdf {
 
   SampledSpectrum<N> albedo;
 
-  DiffuseBsdf(const Surface& surface, SampledSpectrum<N> lambda)
-      : albedo(sample_spectrum<N>(surface.base_color, lambda)) {}
+  explicit DiffuseBsdf(const ShadingMaterial<N>& material) : albedo(material.base_color()) {}
 
   BsdfValue<N> evaluate(Vec3f, Vec3f wi) const {
     if (wi.z <= 0.0f) return {};

@@ -9,6 +9,15 @@ Film::Film(int width, int height)
       height_(height),
       pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
+Film& Film::operator+=(const Film& other) {
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    pixels_[i].sum += other.pixels_[i].sum;
+    pixels_[i].sum_of_squares += other.pixels_[i].sum_of_squares;
+    pixels_[i].count += other.pixels_[i].count;
+  }
+  return *this;
+}
+
 Xyz Film::mean(std::size_t pixel) const {
   const Pixel& p = pixels_[pixel];
   return p.count == 0 ? Xyz{} : p.sum * (1.0 / static_cast<double>(p.count));
@@ -38,13 +47,24 @@ Xyz Film::image_variance_of_mean() const {
   return sum * (1.0 / (n * n));
 }
 
-Image Film::to_linear_srgb() const {
+Image Film::to_linear_srgb(const ChromaticAdaptation& adaptation) const {
   Image image(width_, height_);
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    const Rgb rgb = xyz_to_linear_srgb(mean(i));
+    const Rgb rgb = xyz_to_linear_srgb(adaptation(mean(i)));
     image.pixels[3 * i] = static_cast<float>(rgb.r);
     image.pixels[3 * i + 1] = static_cast<float>(rgb.g);
     image.pixels[3 * i + 2] = static_cast<float>(rgb.b);
+  }
+  return image;
+}
+
+Image Film::to_xyz() const {
+  Image image(width_, height_, ColorSpace::xyz);
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    const Xyz xyz = mean(i);
+    image.pixels[3 * i] = static_cast<float>(xyz.x);
+    image.pixels[3 * i + 1] = static_cast<float>(xyz.y);
+    image.pixels[3 * i + 2] = static_cast<float>(xyz.z);
   }
   return image;
 }

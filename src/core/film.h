@@ -22,6 +22,9 @@ class Film {
     ++p.count;
   }
 
+  /// Adds another film's samples pixel by pixel. @param other of the same size
+  Film& operator+=(const Film& other);
+
   int width() const { return width_; }
   int height() const { return height_; }
 
@@ -34,8 +37,10 @@ class Film {
   Xyz image_mean() const;
   Xyz image_variance_of_mean() const;
 
-  /// Unclipped linear sRGB.
-  Image to_linear_srgb() const;
+  /// Unclipped linear sRGB, after an adaptation to its white.
+  Image to_linear_srgb(const ChromaticAdaptation& adaptation = {}) const;
+  /// CIE XYZ as observed.
+  Image to_xyz() const;
 
  private:
   struct Pixel {

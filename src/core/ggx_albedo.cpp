@@ -1,5 +1,6 @@
 #include "core/ggx_albedo.h"
 
+#include "core/fresnel.h"
 #include "core/microfacet.h"
 
 namespace photopic {

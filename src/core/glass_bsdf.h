@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bsdf.h"
+#include "core/fresnel.h"
 #include "core/microfacet.h"
 
 namespace photopic {
@@ -13,8 +14,8 @@ class GlassBsdf {
  public:
   static constexpr bool kTwoSided = false;
 
-  GlassBsdf(const Surface& s, SampledSpectrum<N> lambda)
-      : ggx_{s.alpha}, ior_(s.ior), solid_(s.solid), tint_(sample_spectrum<N>(s.base_color, lambda)) {}
+  explicit GlassBsdf(const ShadingMaterial<N>& m)
+      : ggx_{sqr(m.roughness())}, ior_(m.surface().ior), solid_(m.surface().solid), tint_(m.base_color()) {}
 
   BsdfValue<N> evaluate(Vec3f wo, Vec3f wi) const {
     if (smooth() || wo.z == 0.0f || wi.z == 0.0f) return {};

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -32,9 +33,8 @@ Encoding encoding_of(const std::filesystem::path& file) {
   return Encoding::unknown;
 }
 
-std::string one_line(std::string text) {
-  std::ranges::replace(text, '\n', ' ');
-  return text.empty() ? "unknown reason" : text;
+std::string reason(const std::string& text) {
+  return text.empty() ? "unknown reason" : without_controls(text);
 }
 
 /// 8-bit sRGB after exposure. A pixel with a NaN is magenta, so that it is seen.
@@ -52,13 +52,30 @@ std::vector<std::uint8_t> encode(const Image& image, double exposure_ev) {
   return bytes;
 }
 
+/// The eight numbers of OpenEXR's attribute: x and y of red, green, blue and white.
+using Chromaticities = std::array<float, 8>;
+/// Rec. ITU-R BT.709-6, table 1, white D65.
+constexpr Chromaticities kRec709 = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
+constexpr Chromaticities kXyz = {1, 0, 0, 1, 0, 0, 1.0f / 3.0f, 1.0f / 3.0f};
+
+Image to_linear_srgb(const Image& xyz) {
+  Image image(xyz.width, xyz.height);
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
+    const Rgb rgb = xyz_to_linear_srgb({xyz.pixels[i], xyz.pixels[i + 1], xyz.pixels[i + 2]});
+    image.pixels[i] = static_cast<float>(rgb.r);
+    image.pixels[i + 1] = static_cast<float>(rgb.g);
+    image.pixels[i + 2] = static_cast<float>(rgb.b);
+  }
+  return image;
+}
+
 OIIO::ImageSpec make_spec(const Image& image, bool linear, const Metadata& metadata) {
   OIIO::ImageSpec spec(image.width, image.height, 3, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
   if (linear) {
-    // Rec. ITU-R BT.709-6, table 1: red, green, blue, white (D65).
-    const float chromaticities[8] = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
-    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), chromaticities);
+    const bool xyz = image.space == ColorSpace::xyz;
+    if (xyz) spec.channelnames = {"X", "Y", "Z"};
+    spec.attribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), (xyz ? kXyz : kRec709).data());
     spec.attribute("compression", "zip");
   } else {
     spec.attribute("CompressionQuality", 95);
@@ -70,7 +87,7 @@ OIIO::ImageSpec make_spec(const Image& image, bool linear, const Metadata& metad
 void write_now(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
                double exposure_ev) {
   const auto fail = [&](const std::string& why) {
-    throw InputError(file.string(), "cannot be written: " + one_line(why),
+    throw InputError(file.string(), "cannot be written: " + reason(why),
                      "check the folder and its free space");
   };
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(file.string());
@@ -82,12 +99,10 @@ void write_now(const std::filesystem::path& file, const Image& image, const Meta
   if (!written || !output->close()) fail(output->geterror());
 }
 
-/// The first channel of R, G, B where they stand side by side, else 0.
-int first_channel(const OIIO::ImageSpec& spec) {
-  const auto& names = spec.channelnames;
-  const auto red = std::ranges::find(names, "R");
-  const bool together = names.end() - red >= 3 && red[1] == "G" && red[2] == "B";
-  return together ? static_cast<int>(red - names.begin()) : 0;
+/// Where three channels of these names stand side by side; −1: nowhere.
+int find_channels(const OIIO::ImageSpec& spec, const std::array<std::string, 3>& names) {
+  const auto found = std::ranges::search(spec.channelnames, names);
+  return found.empty() ? -1 : static_cast<int>(found.begin() - spec.channelnames.begin());
 }
 
 }  // namespace
@@ -103,11 +118,16 @@ bool is_float_image(const std::filesystem::path& file) {
   return encoding_of(file) == Encoding::linear;
 }
 
+bool can_hold_xyz(const std::filesystem::path& file) {
+  return lower_case(file.extension().string()) == ".exr";
+}
+
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
                  double exposure_ev) {
   check_writable_image(file);
   AtomicFile output(file);
-  write_now(output.partial(), image, metadata, exposure_ev);
+  const bool convert = image.space == ColorSpace::xyz && !can_hold_xyz(file);
+  write_now(output.partial(), convert ? to_linear_srgb(image) : image, metadata, exposure_ev);
   std::error_code error;
   output.commit(error);
   if (error) throw InputError(file.string(), "cannot be written: " + error.message(), "choose another name");
@@ -122,7 +142,7 @@ Image read_image(const std::filesystem::path& file) {
     fail("there is no such file", "check its name and folder");
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string());
   if (!input)
-    fail("this is no image that can be read: " + one_line(OIIO::geterror()),
+    fail("this is no image that can be read: " + reason(OIIO::geterror()),
          "give an .exr, .hdr, .png or .jpg");
 
   const OIIO::ImageSpec& spec = input->spec();
@@ -135,14 +155,15 @@ Image read_image(const std::filesystem::path& file) {
     fail(fmt::format("it has {} channels where 3 are needed", spec.nchannels), "give a picture in colour");
   const bool encoded = !spec.format.is_floating_point();
   Image image(spec.width, spec.height);
-  const int first = first_channel(spec);
+  const int rgb = find_channels(spec, {"R", "G", "B"}), xyz = find_channels(spec, {"X", "Y", "Z"});
+  const int first = std::max({rgb, rgb < 0 ? xyz : -1, 0});
   if (!input->read_image(0, 0, first, first + 3, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
-    fail("it is damaged: " + one_line(input->geterror()), "copy or write it again");
+    fail("it is damaged: " + reason(input->geterror()), "copy or write it again");
   }
   if (encoded) {
     for (float& value : image.pixels) value = static_cast<float>(srgb_decode(value));
   }
-  return image;
+  return rgb < 0 && xyz >= 0 ? to_linear_srgb(image) : image;
 }
 
 }  // namespace photopic

@@ -7,14 +7,20 @@
 
 namespace photopic {
 
-/// Three interleaved channels, row by row from the top: linear sRGB (unclipped) unless said otherwise.
+enum class ColorSpace { linear_srgb, xyz };
+
+/// Three interleaved channels, row by row from the top, unclipped.
 struct Image {
   int width = 0, height = 0;
+  ColorSpace space = ColorSpace::linear_srgb;
   std::vector<float> pixels;  ///< 3·width·height
 
   Image() = default;
-  Image(int w, int h)
-      : width(w), height(h), pixels(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+  Image(int w, int h, ColorSpace s = ColorSpace::linear_srgb)
+      : width(w),
+        height(h),
+        space(s),
+        pixels(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
   float* at(int x, int y) {
     return &pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                         static_cast<std::size_t>(x))];
@@ -24,20 +30,24 @@ struct Image {
 
 using Metadata = std::map<std::string, std::string>;
 
-/// Writes a linear image by the file's ending: .exr and .hdr as floats, .png and .jpg sRGB-encoded after an
-/// exposure of `exposure_ev` stops. EXR and PNG hold the metadata (PNG as text chunks), HDR and JPEG have no
-/// place for it. Written to a temporary name first: a failure leaves no half file.
+/// Writes an image by the file's ending, XYZ as such only to .exr: .exr and .hdr as floats, .png and .jpg
+/// sRGB-encoded after an exposure of `exposure_ev` stops. EXR and PNG hold the metadata (PNG as text chunks),
+/// HDR and JPEG have no place for it. Written to a temporary name first: a failure leaves no half file.
 /// @throws InputError when the ending is not known or the file cannot be written
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata = {},
                  double exposure_ev = 0.0);
 
-/// Reads a linear image (RGB or more channels, the first three); 8-bit files are sRGB-decoded.
+/// Reads an image as linear sRGB: channels R, G, B, or X, Y, Z, or else the first three; 8-bit files are
+/// sRGB-decoded.
 /// @throws InputError when there is no such file, it is no image, or it is absurdly large
 Image read_image(const std::filesystem::path& file);
 
 /// Checks before a long render that `file` can be written: its folder exists and its ending is known.
 /// @throws InputError
 void check_writable_image(const std::filesystem::path& file);
+
+/// Whether the ending is .exr in either case: alone it names its channels.
+bool can_hold_xyz(const std::filesystem::path& file);
 
 /// Whether the ending, .exr or .hdr in either case, is that of an image of floats.
 bool is_float_image(const std::filesystem::path& file);

@@ -42,23 +42,6 @@ struct Ggx {
   }
 };
 
-/// Unpolarised Fresnel reflectance of a dielectric; cos_i > 0 against the normal on the incident side, eta =
-/// η_t/η_i.
-inline float fresnel_dielectric(float cos_i, float eta) {
-  const float sin2_t = (1.0f - sqr(cos_i)) / sqr(eta);
-  if (sin2_t >= 1.0f) return 1.0f;
-  const float cos_t = std::sqrt(1.0f - sin2_t);
-  const float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
-  const float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
-  return 0.5f * (sqr(parallel) + sqr(perpendicular));
-}
-
-/// Schlick's (1 − cos θ)⁵.
-inline float schlick_weight(float cos_theta) {
-  const float x = std::clamp(1.0f - cos_theta, 0.0f, 1.0f);
-  return sqr(sqr(x)) * x;
-}
-
 inline Vec3f reflect(Vec3f w, Vec3f m) {
   return m * (2.0f * dot(w, m)) - w;
 }

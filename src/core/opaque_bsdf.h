@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bsdf.h"
+#include "core/fresnel.h"
 #include "core/ggx_albedo.h"
 #include "core/microfacet.h"
 
@@ -15,15 +16,16 @@ class OpaqueBsdf {
  public:
   static constexpr bool kTwoSided = true;
 
-  OpaqueBsdf(const Surface& s, SampledSpectrum<N> lambda) : roughness_(s.roughness), ggx_{s.alpha} {
-    const auto base = sample_spectrum<N>(s.base_color, lambda);
-    const float r0 = s.ior == 0.0f ? 1.0f : sqr((s.ior - 1.0f) / (s.ior + 1.0f));
-    auto f0 = sample_spectrum<N>(s.specular_color, lambda) * r0;
+  explicit OpaqueBsdf(const ShadingMaterial<N>& m)
+      : roughness_(m.roughness()), ggx_{sqr(roughness_)}, metallic_(m.opaque_metallic()) {
+    const float ior = m.surface().ior, r0 = ior == 0.0f ? 1.0f : sqr((ior - 1.0f) / (ior + 1.0f));
+    const float specular = m.specular();
+    auto f0 = m.specular_color() * r0;
     for (int j = 0; j < N; ++j) f0.v[j] = std::min(f0.v[j], 1.0f);
-    dielectric_ = {f0 * s.specular, SampledSpectrum<N>(s.specular)};
+    dielectric_ = {f0 * specular, SampledSpectrum<N>(specular)};
+    const auto base = m.base_color();
     metal_ = {base, SampledSpectrum<N>(1.0f)};
-    metallic_ = s.metallic;
-    diffuse_ = base * (1.0f - s.metallic);
+    diffuse_ = base * (1.0f - metallic_);
   }
 
   BsdfValue<N> evaluate(Vec3f wo, Vec3f wi) const {
@@ -127,8 +129,8 @@ class OpaqueBsdf {
 
   float roughness_;
   Ggx ggx_;
-  Fresnel dielectric_, metal_;
   float metallic_;
+  Fresnel dielectric_, metal_;
   SampledSpectrum<N> diffuse_;
 };
 

@@ -56,7 +56,7 @@ void PathTracer<N>::start(std::span<const PathKey> paths) {
 /// neighbouring paths overlap.
 template <int N>
 void PathTracer<N>::choose_wavelengths() {
-  const Observer& observer = Observer::cie1931();
+  const Observer& observer = *options_.observer;
   const auto& emissions = scene_.scene.emission_spectra;
   for (const std::uint32_t slot : batch_.active)
     batch_.sampled[slot] = sample_wavelengths<N>(sampler_, wavelength_u(batch_.stream[slot]));
@@ -110,8 +110,11 @@ void PathTracer<N>::absorb_and_emit() {
     float weight = surface.emission_luminance;
     if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
       weight *= power_heuristic(pdf, scene_.lights.pdf_area(material) * sqr(hit.t) / std::abs(cos_light));
-    batch_.radiance[slot] +=
-        batch_.throughput[slot] * batch_.emission_of(slot, surface.emission_spectrum) * weight;
+    SampledSpectrum<N> emitted = batch_.emission_of(slot, surface.emission_spectrum);
+    if (surface.emission_varies)
+      emitted *=
+          ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda, {geometry, hit}).emission_tint();
+    batch_.radiance[slot] += batch_.throughput[slot] * emitted * weight;
   }
 }
 
@@ -121,8 +124,10 @@ void PathTracer<N>::sort_by_bsdf(int depth) {
   for (const std::uint32_t slot : batch_.active) {
     const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[batch_.hits[slot].shape].material];
     BsdfKind kind = surface.opaque_kind;
-    if (surface.glass_probability > 0.0f)
-      kind = surface.choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
+    if (surface.transmits)
+      kind = ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda,
+                                {scene_.scene.geometry, batch_.hits[slot]})
+                 .choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
     batch_.by_kind[static_cast<std::size_t>(kind)].push_back(slot);
   }
 }
@@ -162,6 +167,11 @@ void PathTracer<N>::sample_light(std::uint32_t slot, int depth, const Vertex<N, 
   SampledSpectrum<N> arriving = batch_.throughput[slot] * value.f_cos *
                                 batch_.emission_of(slot, lamp.emission_spectrum) *
                                 (lamp.emission_luminance * power_heuristic(pdf, value.pdf) / pdf);
+  if (lamp.emission_varies || lamp.partly_covers) {
+    const TrianglePoint point(scene_.scene.geometry, light.triangle, light.uv.x, light.uv.y);
+    arriving *= ShadingMaterial<N>(lamp, batch_.wavelengths[slot].lambda, point).emission_tint() *
+                lamp.coverage(point);
+  }
   if (arriving.is_black()) return;
   if (const int medium = vertex.medium_towards(wi, batch_.medium[slot]); medium >= 0)
     arriving *= scene_.surfaces[static_cast<std::size_t>(medium)].transmittance(

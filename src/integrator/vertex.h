@@ -16,7 +16,7 @@ struct Vertex {
         point(surface_point(scene.scene.geometry, hit)),
         frame(shading_frame(point, wo_world, Bsdf::kTwoSided)),
         wo(frame.to_local(wo_world)),
-        bsdf(surface, lambda) {}
+        bsdf(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit})) {}
 
   BsdfValue<N> evaluate(Vec3f wi) const {
     const Vec3f local = frame.to_local(wi);
@@ -41,7 +41,7 @@ struct Vertex {
 
   /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.
   std::int32_t medium_towards(Vec3f w, std::int32_t current) const {
-    if (!surface.solid || surface.glass_probability == 0.0f) return current;
+    if (!surface.solid || !surface.transmits) return current;
     return surface.absorbs() && dot(w, point.geometric_normal) < 0.0f ? static_cast<std::int32_t>(material)
                                                                       : -1;
   }

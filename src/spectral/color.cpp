@@ -1,6 +1,7 @@
 #include "spectral/color.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace photopic {
 namespace {
@@ -64,6 +65,22 @@ Rgb xyz_to_linear_srgb(Xyz xyz) {
 Xyz linear_srgb_to_xyz(Rgb rgb) {
   const auto c = multiply(srgb_matrices().to_xyz, rgb.r, rgb.g, rgb.b);
   return {c[0], c[1], c[2]};
+}
+
+ChromaticAdaptation::ChromaticAdaptation(Xyz from, Xyz to) {
+  static constexpr Matrix kBradford = {
+      {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
+  const auto cones = [](Xyz white) { return multiply(kBradford, white.x / white.y, 1.0, white.z / white.y); };
+  const auto a = cones(from), b = cones(to);
+  for (int i = 0; i < 3; ++i)
+    if (!(from.y > 0.0 && to.y > 0.0 && a[i] > 0.0 && b[i] > 0.0))
+      throw std::invalid_argument("this white is too saturated for an eye to adapt to");
+  const Matrix back = inverse(kBradford);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      m_[i][j] = 0.0;
+      for (int k = 0; k < 3; ++k) m_[i][j] += back[i][k] * b[k] / a[k] * kBradford[k][j];
+    }
 }
 
 double srgb_encode(double linear) {

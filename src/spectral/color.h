@@ -32,6 +32,25 @@ Xyz d65_white();
 Rgb xyz_to_linear_srgb(Xyz xyz);
 Xyz linear_srgb_to_xyz(Rgb rgb);
 
+/// Linear Bradford adaptation (ICC.1:2022, annex E): what an eye used to the white `from` sees, as one used
+/// to the white `to` would need it. Only the whites' chromaticities count: Y of a white is kept.
+class ChromaticAdaptation {
+ public:
+  ChromaticAdaptation() = default;  ///< changes nothing
+  /// @throws std::invalid_argument when a white is no colour of light: Y ≤ 0, or beyond what the cones can
+  /// tell
+  ChromaticAdaptation(Xyz from, Xyz to);
+
+  Xyz operator()(Xyz xyz) const {
+    return {m_[0][0] * xyz.x + m_[0][1] * xyz.y + m_[0][2] * xyz.z,
+            m_[1][0] * xyz.x + m_[1][1] * xyz.y + m_[1][2] * xyz.z,
+            m_[2][0] * xyz.x + m_[2][1] * xyz.y + m_[2][2] * xyz.z};
+  }
+
+ private:
+  std::array<std::array<double, 3>, 3> m_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+};
+
 /// The sRGB transfer functions (IEC 61966-2-1), extended as odd functions below zero.
 double srgb_encode(double linear);
 double srgb_decode(double encoded);

@@ -25,6 +25,10 @@ class Render(CommandTest):
     def render(self, name, *options, sampler="uniform"):
         self.photopic("render", self.scene, "-o", name, "--sampler", sampler, "--spp", "4", "--quiet", *options)
 
+    def mean_difference(self, first, second):
+        self.photopic("diff", first, second, "--json", "diff.json")
+        return self.read_json("diff.json")["runs"][0]["mean_delta_e"]
+
     def max_difference(self, first, second):
         self.photopic("diff", first, second, "--json", "diff.json")
         return self.read_json("diff.json")["runs"][0]["max_delta_e"]
@@ -56,6 +60,53 @@ class Render(CommandTest):
         self.assertEqual(self.max_difference("one.exr", "two.exr"), 0)
         self.assertEqual(self.max_difference("one.exr", "small.exr"), 0)
         self.assertGreater(self.max_difference("one.exr", "other.exr"), 0)
+
+    def test_time_and_target_error_end_a_render(self):
+        self.photopic("render", self.scene, "-o", "a.exr", "--sampler", "uniform", "--time", "0.5", "--json", "a.json")
+        run = self.read_json("a.json")
+        self.assertGreater(run["mean_spp"], 64)
+        self.assertGreater(run["render_seconds"], 0.5)
+        self.assertIsNone(run["expected_mean_delta_e"])
+        self.photopic(
+            "render", self.scene, "-o", "b.exr", "--sampler", "uniform", "--target-error", "3", "--json", "b.json"
+        )
+        run = self.read_json("b.json")
+        self.assertLessEqual(run["expected_mean_delta_e"], 3)
+        self.photopic("render", self.scene, "-o", "c.exr", "--sampler", "illuminant", "--spp", "4096", "--seed", "9")
+        self.assertLess(self.mean_difference("c.exr", "b.exr"), 3.3)
+
+    def test_xyz_holds_the_same_colors(self):
+        self.render("a.exr", "-o", "a.png")
+        self.render("xyz.exr", "-o", "xyz.png", "--color", "xyz")
+        self.assertIn(b"CIE XYZ", (self.folder / "xyz.exr").read_bytes())
+        self.assertLess(self.max_difference("a.exr", "xyz.exr"), 0.001)
+        self.assertEqual(self.max_difference("a.png", "xyz.png"), 0)
+        self.assert_refused(["render", self.scene, "-o", "a.hdr", "--color", "xyz"], "--color xyz", ".exr")
+
+    def test_white_balance_makes_the_lamp_white(self):
+        lamp = ("--emitter", "cie:A")
+        self.render("day.exr")
+        self.render("warm.exr", *lamp)
+        self.render("balanced.exr", *lamp, "--white-balance", "illuminant")
+        self.render("named.exr", *lamp, "--white-balance", "cie:A")
+        self.assertEqual(self.max_difference("balanced.exr", "named.exr"), 0)
+        self.photopic("diff", "day.exr", "warm.exr", "balanced.exr", "--json", "diff.json")
+        warm, balanced = (run["mean_delta_e"] for run in self.read_json("diff.json")["runs"])
+        self.assertLess(balanced, 0.5 * warm)
+        self.assert_refused(
+            ["render", self.scene, "-o", "a.exr", "--white-balance", "line:700"], "--white-balance line:700"
+        )
+
+    def test_observers_see_daylight_white_but_not_every_lamp_alike(self):
+        for lamp in ("cie:D65", "cie:FL11"):
+            for observer in ("1931", "1964"):
+                self.render(f"{lamp[4:]}-{observer}.exr", "--emitter", lamp, "--observer", observer)
+        self.assertGreater(self.max_difference("FL11-1931.exr", "FL11-1964.exr"), 1)
+        means = {}
+        for observer in ("1931", "1964"):
+            self.render("a.exr", "--observer", observer, "--json", "a.json", "--emitter", "cie:D65")
+            means[observer] = self.read_json("a.json")["mean_xyz"]
+        self.assertNotEqual(means["1931"], means["1964"])
 
     def test_exposure_moves_8_bit_images_only(self):
         self.render("dark.exr", "-o", "dark.png")

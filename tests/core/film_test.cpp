@@ -31,6 +31,16 @@ TEST(Film, WhiteBecomesWhite) {
   for (float channel : image.pixels) EXPECT_NEAR(channel, 1.0f, 1e-6f);
 }
 
+TEST(Film, AdaptsToTheWhiteOfSrgbAndKeepsXyzAsObserved) {
+  const Xyz a{1.09850, 1.0, 0.35585};  // illuminant A, CIE 015:2018
+  Film film(1, 1);
+  film.add(0, a);
+  for (float channel : film.to_linear_srgb({a, d65_white()}).pixels) EXPECT_NEAR(channel, 1.0f, 1e-6f);
+  const Image xyz = film.to_xyz();
+  EXPECT_EQ(xyz.space, ColorSpace::xyz);
+  EXPECT_EQ(xyz.pixels, (std::vector<float>{1.09850f, 1.0f, 0.35585f}));
+}
+
 /// The tests' own statistics, against tables (Abramowitz & Stegun 1964, tables 26.1 and 26.8).
 TEST(Statistics, KnownQuantiles) {
   EXPECT_NEAR(test::chi_square_tail(3.841459, 1), 0.05, 1e-6);

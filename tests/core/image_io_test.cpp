@@ -55,6 +55,24 @@ TEST_F(ImageIo, ExrKeepsEveryFloat) {
   EXPECT_EQ(file_count(), 1u);  // no temporary left
 }
 
+TEST_F(ImageIo, XyzIsReadBackAsTheSameColors) {
+  const Image srgb = test_image();
+  Image xyz(srgb.width, srgb.height, ColorSpace::xyz);
+  for (std::size_t i = 0; i < srgb.pixels.size(); i += 3) {
+    const Xyz c = linear_srgb_to_xyz({srgb.pixels[i], srgb.pixels[i + 1], srgb.pixels[i + 2]});
+    xyz.pixels[i] = static_cast<float>(c.x);
+    xyz.pixels[i + 1] = static_cast<float>(c.y);
+    xyz.pixels[i + 2] = static_cast<float>(c.z);
+  }
+  write_image(folder_ / "xyz.exr", xyz);
+  write_image(folder_ / "xyz.png", xyz);
+  write_image(folder_ / "srgb.png", srgb);
+  const Image read = read_image(folder_ / "xyz.exr");
+  for (std::size_t i = 0; i < srgb.pixels.size(); ++i)
+    EXPECT_NEAR(read.pixels[i], srgb.pixels[i], 1e-5f * std::abs(srgb.pixels[i]) + 1e-4f) << i;
+  EXPECT_EQ(read_image(folder_ / "xyz.png").pixels, read_image(folder_ / "srgb.png").pixels);
+}
+
 TEST_F(ImageIo, ExrCarriesMetadata) {
   write_image(folder_ / "a.exr", test_image(), {{"photopic:spectra", "lamp=cie:FL11"}});
   std::ifstream stream(folder_ / "a.exr", std::ios::binary);

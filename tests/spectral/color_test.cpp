@@ -100,6 +100,27 @@ TEST(Color, MatrixAsPublished) {
   EXPECT_NEAR(white.z, d65_white().z, 1e-14);
 }
 
+/// Lindbloom's matrix from D50 to D65 (ASTM E308 whites), published to seven places.
+TEST(Color, BradfordFromD50ToD65) {
+  const Xyz d50{0.96422, 1.0, 0.82521}, d65{0.95047, 1.0, 1.08883};
+  const ChromaticAdaptation adaptation(d50, d65);
+  const double published[] = {0.9555766, -0.0230393, 0.0631636,  -0.0282895, 1.0099416,
+                              0.0210077, 0.0122982,  -0.0204830, 1.3299098};
+  const Xyz x = adaptation({1, 0, 0}), y = adaptation({0, 1, 0}), z = adaptation({0, 0, 1});
+  const double ours[] = {x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z};
+  for (int i = 0; i < 9; ++i) EXPECT_NEAR(ours[i], published[i], 1e-6) << i;
+}
+
+TEST(Color, AdaptationCarriesWhiteToWhiteAndKeepsItsLuminance) {
+  const Xyz a{1.09850, 1.0, 0.35585};
+  const Xyz white = ChromaticAdaptation(a * 3.0, d65_white())(a * 2.0);
+  EXPECT_NEAR(white.x, 2.0 * d65_white().x, 1e-12);
+  EXPECT_NEAR(white.y, 2.0, 1e-12);
+  EXPECT_NEAR(white.z, 2.0 * d65_white().z, 1e-12);
+  EXPECT_THROW(ChromaticAdaptation({0, 0, 0}, d65_white()), std::invalid_argument);
+  EXPECT_THROW(ChromaticAdaptation({0.2, 1.0, 0.0}, {4.0, 1.0, 0.0}), std::invalid_argument);
+}
+
 TEST(Color, TransferFunctionIsOddAndInverts) {
   for (double v = -2.0; v <= 2.0; v += 0.001) {
     EXPECT_NEAR(srgb_decode(srgb_encode(v)), v, 1e-6);

@@ -1,7 +1,6 @@
 #include "support/bsdf_checks.h"
 
 #include <array>
-#include <memory>
 #include <numbers>
 
 #include "core/glass_bsdf.h"
@@ -23,8 +22,8 @@ template <typename Bsdf>
 LocalBsdf wrap(const Material& material) {
   SampledSpectrum<4> lambda;
   for (int j = 0; j < 4; ++j) lambda.set(j, 450.0f + 50.0f * static_cast<float>(j));
-  const auto surface = std::make_shared<const Surface>(material);
-  const Bsdf bsdf(*surface, lambda);
+  const Surface surface(material);
+  const Bsdf bsdf(ShadingMaterial<4>(surface, lambda));
   return {[=](Vec3f wo, Vec3f wi) -> Value {
             const auto v = bsdf.evaluate(wo, wi);
             return {v.f_cos[0], v.pdf};
@@ -75,7 +74,7 @@ double cube(double x) {
 
 LocalBsdf local_bsdf(const Material& material) {
   const Surface surface(material);
-  if (surface.glass_probability > 0.0f) return wrap<GlassBsdf<4>>(material);
+  if (surface.transmits) return wrap<GlassBsdf<4>>(material);
   if (surface.opaque_kind == BsdfKind::opaque) return wrap<OpaqueBsdf<4>>(material);
   return wrap<DiffuseBsdf<4>>(material);
 }

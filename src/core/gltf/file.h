@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,16 +18,24 @@ struct GltfFile {
   std::span<const std::byte> bin;  ///< in `bytes`; the .glb's binary chunk, empty when there is none
 };
 
-/// Reads the file and finds its parts (glTF 2.0, section 4.4); refuses JSON nested too deep for recursive
-/// parsers.
+/// Reads a file whole.
 /// @throws InputError
-GltfFile read_gltf_file(const std::filesystem::path& path);
+std::vector<char> read_gltf_bytes(const std::filesystem::path& path);
 
-/// The bytes of a buffer's `uri`, at least `byte_length` of them: a base64 data URI (RFC 2397) or a file
-/// beside the glTF file, its name percent-encoded (RFC 3986).
-/// @param where names the buffer in messages
+/// Finds the parts of a file (glTF 2.0, section 4.4); refuses JSON nested too deep for recursive parsers.
 /// @throws InputError
-std::vector<std::byte> read_gltf_uri(const std::string& uri, std::size_t byte_length,
+GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path);
+
+/// The file that a `uri` names, its name percent-encoded (RFC 3986), beside the glTF file; empty for data
+/// URIs and what is not local.
+std::filesystem::path gltf_uri_file(const std::string& uri, const std::filesystem::path& folder);
+
+/// The bytes of a buffer's or an image's `uri`: a base64 data URI (RFC 2397) or a file as gltf_uri_file finds
+/// it.
+/// @param byte_length at least so many; nothing: all there are
+/// @param where names the buffer or the image in messages
+/// @throws InputError
+std::vector<std::byte> read_gltf_uri(const std::string& uri, std::optional<std::size_t> byte_length,
                                      const std::filesystem::path& folder, const std::string& where);
 
 }  // namespace photopic
