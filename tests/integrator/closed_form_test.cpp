@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "core/microfacet.h"
+#include "core/fresnel.h"
 #include "integrator/integrator.h"
 #include "spectral/observer.h"
 #include "support/standard_scenes.h"
