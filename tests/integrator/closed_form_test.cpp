@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "core/fresnel.h"
+#include "core/microfacet.h"
 #include "integrator/integrator.h"
 #include "spectral/observer.h"
 #include "support/standard_scenes.h"
