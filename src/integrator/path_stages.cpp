@@ -210,7 +210,10 @@ void PathTracer<N>::sample_light(std::uint32_t slot, int depth, const Vertex<N, 
   SampledSpectrum<N> arriving = batch_.throughput[slot] * value.f_cos *
                                 batch_.emission_of(slot, light->spectrum) *
                                 (light->radiance * mis / light->pdf);
-  if (light->environment) arriving *= batch_.tints[slot](light->tint.x, light->tint.y, light->tint.z);
+  if (light->environment) {
+    const Vec3f rgb = scene_.scene.environment->radiance(wi);
+    arriving *= batch_.tints[slot](rgb.x, rgb.y, rgb.z);
+  }
   if (light->material != kNoMaterial) arriving *= lamp_tint(slot, *light);
   if (arriving.is_black()) return;
   if (const int medium = vertex.medium_towards(wi, batch_.medium[slot]); medium >= 0)

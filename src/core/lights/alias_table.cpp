@@ -29,7 +29,7 @@ AliasTable::AliasTable(std::span<const double> weights) : bins_(weights.size()) 
   }
 }
 
-std::uint32_t AliasTable::sample(double& u) const {
+std::uint32_t AliasTable::sample_bins(double& u) const {
   const double scaled = u * static_cast<double>(bins_.size());
   const auto i = std::min(static_cast<std::uint32_t>(scaled), static_cast<std::uint32_t>(bins_.size() - 1));
   const Bin& bin = bins_[i];

@@ -18,9 +18,11 @@ class AliasTable {
   float probability(std::size_t index) const { return bins_[index].probability; }
 
   /// @param u in [0, 1); becomes a fresh number in [0, 1), with as many digits fewer as the choice took
-  std::uint32_t sample(double& u) const;
+  std::uint32_t sample(double& u) const { return bins_.size() == 1 ? 0 : sample_bins(u); }
 
  private:
+  std::uint32_t sample_bins(double& u) const;
+
   struct Bin {
     double keep = 1.0;  ///< share of the bin that is its own index's
     std::uint32_t alias = 0;

@@ -11,7 +11,7 @@ namespace {
 /// Squared distance in squared extents of the light beyond which solid angle and area are sampled alike.
 constexpr float kFar2 = 3.0f;
 /// Squared height above the plane, likewise, below which the solid angle is lost in rounding.
-constexpr float kTouching2 = 1e-9f;
+constexpr float kTouching2 = 1e-11f;
 
 using Corners = std::array<Vec3f, 3>;
 

@@ -23,8 +23,7 @@ struct LightSample {
   float radiance;    ///< factor on the emission spectrum [cd/m²]; delta: of the irradiance facing it [lx]
   bool delta;        ///< BSDF sampling cannot find it
   int spectrum;      ///< index into Scene::emission_spectra
-  Vec3f tint;        ///< of an environment: linear sRGB on the spectrum, `radiance` being 1
-  bool environment;  ///< whether there is a tint
+  bool environment;  ///< its colour in that direction is a factor on the spectrum, `radiance` being 1
   std::uint32_t material = kNoMaterial;  ///< of an area light: what varies over it is left to the caller
   std::uint32_t triangle = 0;            ///< of an area light: where the point lies
 };

@@ -182,7 +182,6 @@ std::optional<LightSample> LightSampler::sample_light(std::uint32_t light, Vec3f
   s.pdf = way.pdf;
   s.radiance = 1.0f;
   s.spectrum = environment_->emission_spectrum;
-  s.tint = environment_->radiance(way.direction);
   s.environment = true;
   return s;
 }

@@ -11,6 +11,11 @@ namespace {
 
 constexpr int kBuckets = 12;
 
+/// Clusters whose normals lie within 26° and whose radius is below a quarter of the distance are not divided
+/// on the way down: it would cost more than it tells.
+constexpr float kNarrowCone = 0.9f;
+constexpr float kSmall2 = 0.06f;
+
 float component(Vec3f v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
@@ -85,36 +90,42 @@ LightBounds unite(const LightBounds& a, const LightBounds& b) {
 /// favourable within the sphere about the box.
 float LightTree::Node::importance(const LightReference& at) const {
   const Vec3f to_point = at.position - middle;
-  const float distance2 = dot(to_point, to_point);
-  const float inverse = 1.0f / std::sqrt(std::max(distance2, 1e-37f));
-  const Vec3f away = to_point * inverse;
+  const float distance2 = std::max(dot(to_point, to_point), 1e-30f);
+  const float inverse = 1.0f / std::sqrt(distance2);
 
-  // The angle that the sphere subtends.
-  const bool inside = distance2 <= radius2;
-  const float sin2_b = inside ? 1.0f : radius2 / distance2;
-  const float sin_b = inside ? 0.0f : std::sqrt(sin2_b), cos_b = inside ? -1.0f : safe_sqrt(1.0f - sin2_b);
+  // The angle that the sphere subtends: all around from inside.
+  const float ratio = radius * inverse;
+  const bool inside = ratio >= 1.0f;
+  const float sin_b = inside ? 0.0f : ratio, cos_b = inside ? -1.0f : std::sqrt(1.0f - sqr(ratio));
+
+  // At the surface that is lit.
+  float cos_surface = 1.0f;
+  if (const float cos_i = -dot(at.normal, to_point) * inverse; cos_i != 0.0f || at.normal != Vec3f{}) {
+    cos_surface = cos_of_difference(safe_sqrt(1.0f - sqr(cos_i)), cos_i, sin_b, cos_b);
+    if (!(cos_surface > 0.0f)) return 0.0f;
+  }
 
   // At the light: the angle to the axis, less the cone's and the sphere's.
-  float cos_w = dot(axis, away);
+  float cos_w = dot(axis, to_point) * inverse;
   if (two_sided) cos_w = std::abs(cos_w);
-  const float sin_w = safe_sqrt(1.0f - sqr(cos_w)), sin_o = safe_sqrt(1.0f - sqr(cos_o));
+  const float sin_w = safe_sqrt(1.0f - sqr(cos_w));
   const float cos_x = cos_of_difference(sin_w, cos_w, sin_o, cos_o);
   const float sin_x = sin_of_difference(sin_w, cos_w, sin_o, cos_o);
   const float cos_light = cos_of_difference(sin_x, cos_x, sin_b, cos_b);
-  if (cos_light <= cos_e) return 0.0f;
-  float result = power * std::max(cos_light, 0.0f) / std::max({distance2, radius2, 1e-30f});
+  if (!(cos_light > cos_e)) return 0.0f;
+  return power * cos_surface * std::max(cos_light, 0.0f) * sqr(inverse * std::min(1.0f / ratio, 1.0f));
+}
 
-  // At the surface that is lit.
-  if (at.normal == Vec3f{}) return result;
-  const float cos_i = -dot(at.normal, away), sin_i = safe_sqrt(1.0f - sqr(cos_i));
-  return result * std::max(cos_of_difference(sin_i, cos_i, sin_b, cos_b), 0.0f);
+bool LightTree::Node::compact(Vec3f from) const {
+  if (leaf) return true;
+  const Vec3f to_point = from - middle;
+  return cos_o > kNarrowCone && sqr(radius) < kSmall2 * dot(to_point, to_point);
 }
 
 /// Splits lists of lights in two until each holds one; a stack instead of recursion, for lists as long as
 /// they like.
 struct LightTree::Build {
   const std::vector<LightBounds>& lights;
-  std::vector<std::uint32_t> order;
 
   LightBounds bounds_of(std::span<const std::uint32_t> list) const {
     LightBounds all;
@@ -169,68 +180,90 @@ struct LightTree::Build {
 void LightTree::fill(std::uint32_t node, const LightBounds& b) {
   const Vec3f half = (b.high - b.low) * 0.5f;
   Node& n = nodes_[node];
-  n.middle = b.middle(), n.radius2 = dot(half, half);
-  n.axis = b.axis, n.cos_o = b.cos_o, n.cos_e = b.cos_e;
+  n.middle = b.middle(), n.radius = length(half);
+  n.axis = b.axis, n.cos_o = b.cos_o, n.sin_o = safe_sqrt(1.0f - sqr(b.cos_o)), n.cos_e = b.cos_e;
   n.power = b.power, n.two_sided = b.two_sided;
 }
 
-LightTree::LightTree(const std::vector<LightBounds>& lights) : leaf_of_(lights.size()) {
-  Build build{lights, std::vector<std::uint32_t>(lights.size())};
-  std::iota(build.order.begin(), build.order.end(), 0u);
-  struct Task {
-    std::uint32_t node;
-    std::span<std::uint32_t> list;
-  };
+LightTree::LightTree(const std::vector<LightBounds>& lights)
+    : order_(lights.size()),
+      power_before_(lights.size() + 1),
+      place_of_(lights.size()),
+      leaf_of_(lights.size()) {
+  const Build build{lights};
+  std::iota(order_.begin(), order_.end(), 0u);
   nodes_.reserve(2 * lights.size());
   nodes_.push_back({});
-  nodes_[0].parent = 0;
-  std::vector<Task> tasks{{0, build.order}};
-  while (!tasks.empty()) {
-    const auto [node, list] = tasks.back();
-    tasks.pop_back();
+  nodes_[0].end = static_cast<std::uint32_t>(lights.size());
+  std::vector<std::uint32_t> pending{0};
+  while (!pending.empty()) {
+    const std::uint32_t node = pending.back();
+    pending.pop_back();
+    const std::uint32_t begin = nodes_[node].begin, end = nodes_[node].end;
+    const auto list = std::span(order_).subspan(begin, end - begin);
     fill(node, build.bounds_of(list));
     nodes_[node].leaf = list.size() == 1;
     if (list.size() == 1) {
-      nodes_[node].first = list[0];
       leaf_of_[list[0]] = node;
       continue;
     }
-    const std::size_t count = build.split(list);
-    const auto first = static_cast<std::uint32_t>(nodes_.size());
-    nodes_[node].first = first;
+    const auto middle = begin + static_cast<std::uint32_t>(build.split(list));
+    const auto child = static_cast<std::uint32_t>(nodes_.size());
+    nodes_[node].child = child;
     nodes_.resize(nodes_.size() + 2);
-    nodes_[first].parent = nodes_[first + 1].parent = node;
-    tasks.push_back({first, list.first(count)});
-    tasks.push_back({first + 1, list.subspan(count)});
+    nodes_[child].begin = begin, nodes_[child].end = middle;
+    nodes_[child + 1].begin = middle, nodes_[child + 1].end = end;
+    nodes_[child].parent = nodes_[child + 1].parent = node;
+    pending.push_back(child);
+    pending.push_back(child + 1);
+  }
+  for (std::uint32_t i = 0; i < order_.size(); ++i) {
+    place_of_[order_[i]] = i;
+    power_before_[i + 1] = power_before_[i] + double{lights[order_[i]].power};
   }
 }
 
 LightTree::Choice LightTree::choose(const LightReference& at, double u) const {
-  float probability = 1.0f;
+  // Down to a cluster of lights that are seen alike.
+  double probability = 1.0;
   const Node* node = nodes_.data();
-  while (!node->leaf) {
-    const Node* children = &nodes_[node->first];
-    const float a = children[0].importance(at), b = children[1].importance(at);
-    if (!(a + b > 0.0f)) return {kNoLight, 0.0f};
-    const double share = double{a} / (double{a} + double{b});
+  while (!node->compact(at.position)) {
+    const Node* children = &nodes_[node->child];
+    const double a = children[0].importance(at), b = children[1].importance(at), share = a / (a + b);
+    if (!(a + b > 0.0)) return {kNoLight, 0.0f};
     const bool second = u >= share;
     u = std::min(second ? (u - share) / (1.0 - share) : u / share, 1.0 - 0x1p-53);
-    probability *= static_cast<float>(second ? 1.0 - share : share);
+    probability *= second ? 1.0 - share : share;
     node = &children[second ? 1 : 0];
   }
-  return {node->first, probability};
+
+  // One of them, by power.
+  const auto first = power_before_.begin() + node->begin, last = power_before_.begin() + node->end;
+  const double power = *last - *first;
+  const auto above = std::upper_bound(first + 1, last, *first + u * power);
+  const auto place = static_cast<std::size_t>(above - power_before_.begin()) - 1;
+  probability *= (power_before_[place + 1] - power_before_[place]) / power;
+  return {order_[place], static_cast<float>(probability)};
 }
 
 float LightTree::probability(const LightReference& at, std::uint32_t light) const {
-  float probability = 1.0f;
-  for (std::uint32_t i = leaf_of_[light]; i != 0; i = nodes_[i].parent) {
-    const std::uint32_t first = nodes_[nodes_[i].parent].first;
-    const float a = nodes_[first].importance(at), b = nodes_[first + 1].importance(at);
-    const double share = double{i == first ? a : b} / (double{a} + double{b});
-    if (!(share > 0.0)) return 0.0f;
-    probability *= static_cast<float>(share);
+  // Up to the root, where whatever is chosen within a cluster by power begins anew.
+  const std::uint32_t place = place_of_[light];
+  const double power = power_before_[place + 1] - power_before_[place];
+  double probability = 1.0;
+  for (std::uint32_t i = leaf_of_[light]; i != 0;) {
+    const std::uint32_t parent = nodes_[i].parent;
+    const Node& above = nodes_[parent];
+    if (above.compact(at.position)) {
+      probability = power / (power_before_[above.end] - power_before_[above.begin]);
+    } else {
+      const double a = nodes_[above.child].importance(at), b = nodes_[above.child + 1].importance(at);
+      const double share = (i == above.child ? a : b) / (a + b);
+      probability *= share > 0.0 ? share : 0.0;
+    }
+    i = parent;
   }
-  return probability;
+  return static_cast<float>(probability);
 }
 
 }  // namespace photopic

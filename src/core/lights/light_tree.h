@@ -48,21 +48,28 @@ class LightTree {
   /// Children stand side by side.
   struct Node {
     Vec3f middle;
-    float radius2;  ///< squared, of the sphere about the box
+    float radius;  ///< of the sphere about the box
     Vec3f axis;
-    float cos_o, cos_e, power;
+    float cos_o, sin_o, cos_e, power;
     bool two_sided, leaf;
-    std::uint32_t first;  ///< child, or light
+    std::uint32_t child;  ///< the first of two
     std::uint32_t parent;
+    std::uint32_t begin, end;  ///< its lights, in order_
 
     float importance(const LightReference& at) const;
+
+    /// Whether its lights are seen so alike that their power alone may choose among them.
+    bool compact(Vec3f from) const;
   };
   struct Build;
 
   void fill(std::uint32_t node, const LightBounds& bounds);
 
   std::vector<Node> nodes_;
-  std::vector<std::uint32_t> leaf_of_;
+  std::vector<std::uint32_t> order_;     ///< lights, each node's side by side
+  std::vector<double> power_before_;     ///< of the lights before each in that order, and of all
+  std::vector<std::uint32_t> place_of_;  ///< of each light in that order
+  std::vector<std::uint32_t> leaf_of_;   ///< of each light, its node
 };
 
 }  // namespace photopic
