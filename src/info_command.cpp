@@ -64,9 +64,13 @@ int run_info(const InfoArguments& arguments) {
   check_no_overwriting({arguments.json}, scene.files);
   const GltfContents contents = read_gltf_contents(arguments.scene.scene);
 
-  const ReportSection sections[] = {report_file(arguments, contents), report_geometry(scene),
-                                    report_cameras(scene, contents),  report_materials(scene),
-                                    report_lamps(scene, contents),    report_warnings(scene)};
+  const ReportSection sections[] = {report_file(arguments, contents),
+                                    report_geometry(scene),
+                                    report_cameras(scene, contents),
+                                    report_materials(scene),
+                                    report_textures(scene),
+                                    report_lamps(scene, contents),
+                                    report_warnings(scene)};
   nlohmann::ordered_json json = {{"version", PHOTOPIC_VERSION}};
   for (const ReportSection& section : sections) {
     json[section.key] = section.json;

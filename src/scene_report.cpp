@@ -1,7 +1,6 @@
 #include "scene_report.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +8,7 @@
 
 #include "core/framing.h"
 #include "core/surface.h"
-#include "spectral/illuminants.h"
 #include "spectral/lamp_description.h"
-#include "spectral/observer.h"
 
 namespace photopic {
 namespace {
@@ -32,14 +29,6 @@ std::size_t geometry_bytes(const Geometry& g) {
                       bytes_of(g.instances) + bytes_of(g.normals) + bytes_of(g.tangents) + bytes_of(g.colors);
   for (const auto& set : g.uvs) bytes += bytes_of(set);
   return bytes;
-}
-
-std::string size_text(double bytes) {
-  return bytes < 1e6 ? fmt::format("{:.1f} kB", bytes * 1e-3) : fmt::format("{:.1f} MB", bytes * 1e-6);
-}
-
-std::string name_text(const std::string& name) {
-  return name.empty() ? "(no name)" : name;
 }
 
 std::string point_text(Vec3d p) {
@@ -63,65 +52,28 @@ std::vector<double> material_areas(const Scene& scene) {
   return areas;
 }
 
-std::vector<std::size_t> material_triangles(const Scene& scene) {
-  std::vector<std::size_t> counts(scene.materials.size());
-  for (const Shape& shape : scene.geometry.shapes) counts[shape.material] += shape.triangle_count;
-  return counts;
-}
-
-/// The colour of a reflectance under D65, linear sRGB.
-Rgb color_under_d65(const Spectrum& reflectance) {
-  if (const auto* grey = std::get_if<ConstantSpectrum>(&reflectance))
-    return {grey->value, grey->value, grey->value};
-  static const TabulatedSpectrum d65 = tabulate_emission(cie_illuminant("D65").value());
-  static const double white = emission_xyz(d65, Observer::cie1931()).y;
-  return xyz_to_linear_srgb(emission_xyz(tabulate_product(reflectance, d65), Observer::cie1931()) *
-                            (1.0 / white));
-}
-
-std::string kind_of(const Material& m) {
-  const double glass = m.transmission * (1.0 - m.metallic);
-  const std::string clear = m.thin_walled ? "thin glass" : "glass";
-  if (glass >= 1.0) return clear;
-  const Surface surface(m);
-  const std::string opaque = surface.opaque_kind == BsdfKind::diffuse ? "diffuse"
-                             : m.metallic >= 1.0f                     ? "metal"
-                             : m.metallic > 0.0f                      ? "dielectric and metal"
-                                                                      : "dielectric";
-  return glass > 0.0 ? opaque + " and " + clear : opaque;
-}
-
-Json parameters_of(const Material& m) {
-  Json json = {{"roughness", m.roughness}};
-  const auto add = [&](const char* name, float value, float otherwise) {
-    if (value != otherwise) json[name] = value;
-  };
-  add("metallic", m.metallic, 0.0f);
-  add("ior", m.ior, 1.5f);
-  add("specular", m.specular, 1.0f);
-  add("transmission", m.transmission, 0.0f);
-  add("attenuation_distance", m.attenuation_distance, 0.0f);
-  if (m.double_sided) json["double_sided"] = true;
-  return json;
-}
-
-std::string parameters_text(const Json& parameters) {
-  std::vector<std::string> parts;
-  for (const auto& [name, value] : parameters.items()) {
-    std::string words = name;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    parts.push_back(value.is_boolean() ? words : fmt::format("{} {:.4g}", words, value.get<double>()));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 std::string temperature_text(const LampDescription& lamp) {
   return lamp.temperature && lamp.temperature->meaningful()
              ? fmt::format("{:.0f} K", lamp.temperature->kelvin)
              : "-";
 }
 
+/// Where a texture varies it, that of a white texel [cd/m²].
+double largest_luminance(const Material& m) {
+  const Vec3f factor = m.emissive_factor;
+  const double tint = Surface(m).emission_varies ? linear_srgb_to_xyz({factor.x, factor.y, factor.z}).y : 1.0;
+  return m.emission_luminance * tint;
+}
+
 }  // namespace
+
+std::string name_text(const std::string& name) {
+  return name.empty() ? "(no name)" : name;
+}
+
+std::string size_text(double bytes) {
+  return bytes < 1e6 ? fmt::format("{:.1f} kB", bytes * 1e-3) : fmt::format("{:.1f} MB", bytes * 1e-6);
+}
 
 ReportSection report_geometry(const Scene& scene) {
   const Geometry& g = scene.geometry;
@@ -188,28 +140,6 @@ ReportSection report_cameras(const Scene& scene, const GltfContents& contents) {
   return section;
 }
 
-ReportSection report_materials(const Scene& scene) {
-  ReportSection section{
-      "materials", "materials", {{"name", "kind", "color (linear sRGB)", "triangles", "parameters"}}, {}};
-  section.json = Json::array();
-  const std::vector<std::size_t> triangles = material_triangles(scene);
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    const Material& m = scene.materials[i];
-    if (i + 1 == scene.materials.size() && triangles[i] == 0) break;  // glTF's default, not used
-    const Rgb color = color_under_d65(m.base_color);
-    const Json parameters = parameters_of(m);
-    section.rows.push_back(
-        {m.name, kind_of(m), fmt::format("{:.3f} {:.3f} {:.3f}", color.r, color.g, color.b),
-         triangles[i] > 0 ? std::to_string(triangles[i]) : "not used", parameters_text(parameters)});
-    section.json.push_back({{"name", m.name},
-                            {"kind", kind_of(m)},
-                            {"color_linear_srgb", {color.r, color.g, color.b}},
-                            {"triangles", triangles[i]},
-                            {"parameters", parameters}});
-  }
-  return section;
-}
-
 ReportSection report_lamps(const Scene& scene, const GltfContents& contents) {
   ReportSection section{
       "lamps",
@@ -223,21 +153,24 @@ ReportSection report_lamps(const Scene& scene, const GltfContents& contents) {
     if (m.emission_spectrum < 0) continue;
     const auto spectrum = static_cast<std::size_t>(m.emission_spectrum);
     const LampDescription lamp = describe_lamp(scene.emission_spectra[spectrum]);
-    const double sides = m.double_sided ? 2.0 : 1.0;
-    const double flux =
-        std::numbers::pi * m.emission_luminance * areas[i] * sides;  // of a Lambertian emitter
+    const bool varies = Surface(m).emission_varies;  // by a texture, or by vertex colours
+    const std::string type = m.unlit ? "unlit surface" : "surface";
     const std::string& name = scene.emission_names[spectrum];
-    section.rows.push_back({name_text(m.name), "surface", name, temperature_text(lamp),
-                            fmt::format("{:.4g}", m.emission_luminance), fmt::format("{:.4g}", areas[i]),
-                            fmt::format("{:.4g}", flux)});
+    const double luminance = largest_luminance(m);
+    const double sides = m.double_sided ? 2.0 : 1.0;
+    const double flux = std::numbers::pi * luminance * areas[i] * sides;  // of a Lambertian emitter
+    const char* bound = varies ? "up to " : "";
+    section.rows.push_back({name_text(m.name), type, name, temperature_text(lamp),
+                            fmt::format("{}{:.4g}", bound, luminance), fmt::format("{:.4g}", areas[i]),
+                            fmt::format("{}{:.4g}", bound, flux)});
     section.json.push_back({{"name", m.name},
-                            {"type", "surface"},
+                            {"type", type},
                             {"spectrum", name},
                             {"x", lamp.chromaticity.x},
                             {"y", lamp.chromaticity.y},
-                            {"luminance_cd_per_m2", m.emission_luminance},
+                            {varies ? "luminance_cd_per_m2_at_most" : "luminance_cd_per_m2", luminance},
                             {"area_m2", areas[i]},
-                            {"flux_lm", flux}});
+                            {varies ? "flux_lm_at_most" : "flux_lm", flux}});
   }
   for (const GltfContents::Named& light : contents.lights) {
     section.rows.push_back({name_text(light.name), light.type, "not rendered"});

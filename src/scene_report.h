@@ -17,12 +17,18 @@ struct ReportSection {
   nlohmann::ordered_json json;
 };
 
+/// As tables show it.
+std::string name_text(const std::string& name);
+std::string size_text(double bytes);
+
 /// Geometry: counts, bounds in the world [m], memory.
 ReportSection report_geometry(const Scene& scene);
 /// All cameras of the file, and the one that renders.
 ReportSection report_cameras(const Scene& scene, const GltfContents& contents);
 /// All materials: kind of scattering, colour under D65, parameters that are not their defaults.
 ReportSection report_materials(const Scene& scene);
+/// Images that materials read, each once.
+ReportSection report_textures(const Scene& scene);
 /// Emitting materials and punctual lights, with their spectra and photometric quantities.
 ReportSection report_lamps(const Scene& scene, const GltfContents& contents);
 

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "atomic_file.h"
+#include "core/quiet_stderr.h"
 #include "error.h"
 #include "spectral/color.h"
 
@@ -141,6 +142,7 @@ Image read_image(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     fail("there is no such file", "check its name and folder");
+  const QuietStderr quiet;
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string());
   if (!input)
     fail("this is no image that can be read: " + reason(OIIO::geterror()),

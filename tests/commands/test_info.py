@@ -53,10 +53,25 @@ class Info(CommandTest):
         self.assertEqual(json_["file"]["animations"], 1)
         self.assertIn("animations are not played: 1", json_["warnings"])
         self.assertIn("animations are not played: 1", text)
-        self.assertEqual([light["name"] for light in json_["lamps"] if light["type"] != "surface"], ["sun", "bulb", "torch"])
+        self.assertEqual([light["name"] for light in json_["lamps"] if "surface" not in light["type"]], ["sun", "bulb", "torch"])
         self.assertEqual([(c["name"], c["type"], c["used"]) for c in json_["cameras"]],
                          [("eye", "perspective", True), ("plan", "orthographic", False)])  # fmt: skip
         self.assertLess(max(map(len, text.splitlines())), 500)
+
+    def test_textures(self):
+        text, json_ = self.info(FIXTURE)
+        textures = {t["name"]: t for t in json_["textures"]}
+        self.assertEqual(len(textures), 2)
+        image = textures["in the buffer"]
+        self.assertEqual((image["resolution"], image["channels"], image["bits"], image["bytes"]), ([2, 2], 4, 8, 16))
+        self.assertEqual(image["encoding"], "sRGB and linear")
+        self.assertIn("base color", image["read_for"])
+        (coated,) = (m for m in json_["materials"] if m["name"] == "coated")
+        self.assertEqual(coated["textures"], ["base color", "metallic-roughness", "normal", "emissive", "specular", "specular color"])
+        (lamp,) = (lamp for lamp in json_["lamps"] if lamp["name"] == "coated")
+        # A white texel: 20 times the luminance of linear sRGB 1, 0.5, 0.25.
+        self.assertAlmostEqual(lamp["luminance_cd_per_m2_at_most"], 20 * (0.2126 + 0.5 * 0.7152 + 0.25 * 0.0722), places=2)
+        self.assertIn("2x2", text)
 
     def test_names_cannot_write_to_the_terminal(self):
         scene = tiny_scene()

@@ -164,6 +164,11 @@ class Refused(CommandTest):
         self.assert_refused(["render", self.scene, "-o", "out.exr", "--distribution", "broken.json"], "broken.json")
         self.assert_refused(["diff", "missing.exr", "broken.exr"], "missing.exr")
         self.assert_refused(["diff", "broken.exr", "broken.exr"], "broken.exr")
+        self.photopic(*self.render("-o", "broken.png", "--quiet"))
+        png = bytearray((self.folder / "broken.png").read_bytes())
+        png[len(png) // 2] ^= 0xFF
+        (self.folder / "broken.png").write_bytes(png)
+        self.assert_refused(["diff", "broken.png", "broken.png"], "broken.png")  # libpng says nothing beside
         self.assert_refused(["compare", self.scene, "--samplers", "uniform,uniform"], "uniform")
         self.assert_refused(["compare", self.scene, "--samplers", "uniform,odd"], "odd")
 

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "core/quiet_stderr.h"
 #include "error.h"
 
 namespace photopic {
@@ -48,6 +49,7 @@ OpenImage open_image(const GltfDocument& document, int index) {
 
 std::vector<std::shared_ptr<const TextureImage>> decode_gltf_images(const GltfDocument& document,
                                                                     const std::set<int>& used) {
+  const QuietStderr quiet;
   std::vector<OpenImage> open;
   std::size_t bytes = 0;
   for (const int index : used) {
