@@ -33,7 +33,10 @@ void bind_scene_file(CLI::App& command, SceneArguments& a) {
       ->allow_extra_args(false);
   command.add_option("--resolution", a.resolution, "Size of the image [pixels]; the camera's if not given")
       ->type_name("WxH");
-  command.add_option("--camera", a.camera, "The camera's name; the scene's first if not given")
+  command
+      .add_option("--camera", a.camera,
+                  "The camera, by its name or its index in the file; the scene's first if not given. A scene "
+                  "without any is framed")
       ->type_name("NAME");
 }
 

@@ -33,10 +33,6 @@ void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& war
 
 void check_complete(const GltfDocument& document, const Scene& scene) {
   const std::string file = document.file.path.string();
-  if (scene.camera.width == 0) {
-    throw InputError(file, "the scene has no perspective camera",
-                     "add one, and let the exporter include cameras");
-  }
   if (scene.emission_spectra.empty()) {
     throw InputError(file, "nothing in the scene emits light", "give a material an emissiveFactor above 0");
   }
@@ -48,7 +44,7 @@ Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
   return load_gltf(read_gltf_bytes(file), file, options);
 }
 
-Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options) {
+Scene load_gltf(std::vector<std::byte> bytes, const std::filesystem::path& file, const GltfOptions& options) {
   const GltfDocument document = read_gltf_document(std::move(bytes), file);
   Scene scene;
   scene.files = document.named_files;

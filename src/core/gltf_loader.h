@@ -17,9 +17,9 @@ struct EmitterOverride {
 
 struct GltfOptions {
   std::vector<EmitterOverride> emitters{};  ///< later ones win; a NAME wins over an empty name
-  std::string camera{};                     ///< name of a camera or its node; empty: the first in the scene
-  int width = 0, height = 0;      ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
-  bool allow_incomplete = false;  ///< no camera (its width stays 0) and no light are no errors
+  std::string camera{};       ///< name of a camera or its node, else its index; empty: the first in the scene
+  int width = 0, height = 0;  ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
+  bool allow_incomplete = false;  ///< no light is no error
 };
 
 /// Loads the default scene of a .gltf or .glb file. Everything read from the file is checked before it is
@@ -28,6 +28,7 @@ struct GltfOptions {
 Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options = {});
 
 /// The same of a file in memory: `file` names it in messages, and other files are sought beside it.
-Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options = {});
+Scene load_gltf(std::vector<std::byte> bytes, const std::filesystem::path& file,
+                const GltfOptions& options = {});
 
 }  // namespace photopic

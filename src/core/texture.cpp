@@ -72,7 +72,7 @@ struct TextureFile::Input {
   std::vector<T> read(OIIO::TypeDesc type) {
     std::vector<T> texels(this->texels() * static_cast<std::size_t>(spec.nchannels));
     if (!image->read_image(0, 0, 0, spec.nchannels, type, texels.data()))
-      fail("the image is damaged: " + one_line(image->geterror()), "export it again");
+      fail("the image is damaged: " + without_controls(image->geterror()), "export it again");
     return texels;
   }
 };
@@ -87,7 +87,7 @@ TextureFile::TextureFile(std::span<const std::byte> bytes, const std::string& wh
   if (!in.image || !in.image->set_ioproxy(&in.memory))
     in.fail(fmt::format("OpenImageIO cannot read {} from memory", format), "install another version of it");
   if (!in.image->open(format, in.spec, config))
-    in.fail("the image cannot be read: " + one_line(in.image->geterror()), "export it again");
+    in.fail("the image cannot be read: " + without_controls(in.image->geterror()), "export it again");
 
   if (in.spec.width < 1 || in.spec.height < 1 || in.texels() > kMaxTexels)
     in.fail(fmt::format("{} x {} texels cannot be read", in.spec.width, in.spec.height),

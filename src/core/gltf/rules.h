@@ -155,6 +155,8 @@ inline constexpr auto kSupported = std::to_array<std::string_view>({
     "KHR_materials_volume",
     "KHR_mesh_quantization",
     "KHR_texture_transform",
+    "KHR_node_visibility",
+    "EXT_mesh_gpu_instancing",
     "KHR_materials_variants",
     "KHR_xmp_json_ld",
     "KHR_animation_pointer",

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/scene.h"
+
+namespace photopic {
+
+/// The middle of the geometry's bounding box, relative to Scene::origin, and the radius of the sphere about
+/// it that holds every triangle (of instances: their prototypes' boxes) [m]. Radius 0 without any.
+struct BoundingSphere {
+  Vec3f middle;
+  float radius = 0;
+};
+BoundingSphere bounding_sphere(const Geometry& geometry);
+
+/// Turns and places the camera so that the sphere fills its view, seen from the front, the right and above (a
+/// three-quarter view). Its resolution must be set.
+void frame(const BoundingSphere& sphere, Camera& camera);
+
+}  // namespace photopic
