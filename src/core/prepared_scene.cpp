@@ -13,8 +13,8 @@ PreparedScene::PreparedScene(Scene source)
       accel(scene.geometry),
       lights(scene) {
   // What is made when first asked for is made now, on nobody's clock.
-  const auto is_opaque = [](const Surface& s) { return s.opaque_kind == BsdfKind::opaque; };
-  if (std::any_of(surfaces.begin(), surfaces.end(), is_opaque)) GgxAlbedo::table();
+  const auto is_rough = [](const Surface& s) { return s.opaque_kind != BsdfKind::diffuse || s.transmits; };
+  if (std::ranges::any_of(surfaces, is_rough)) GgxAlbedo::table();
 }
 
 TabulatedSpectrum scene_emission(const PreparedScene& scene) {

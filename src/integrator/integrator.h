@@ -28,13 +28,15 @@ struct RenderStats {
   std::uint64_t paths = 0;
   std::uint64_t rays = 0;  ///< nearest-hit rays
   std::uint64_t shadow_rays = 0;
-  std::uint64_t non_finite = 0;  ///< samples that were not finite; left out of the film and counted here
+  std::uint64_t split_paths = 0;  ///< paths that went on with one wavelength after dispersion
+  std::uint64_t non_finite = 0;   ///< samples that were not finite; left out of the film and counted here
   bool stopped = false;
 
   RenderStats& operator+=(const RenderStats& other) {
     paths += other.paths;
     rays += other.rays;
     shadow_rays += other.shadow_rays;
+    split_paths += other.split_paths;
     non_finite += other.non_finite;
     return *this;
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/frame.h"
+#include "core/fresnel.h"
 #include "core/microfacet.h"
 #include "support/bsdf_checks.h"
 
