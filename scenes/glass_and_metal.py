@@ -5,73 +5,10 @@ import math
 import pathlib
 
 from gltf_writer import Scene, lambert, lamp
+from shapes import box, sphere, torus
 
 FOLDER = pathlib.Path(__file__).parent / "glass-and-metal"
 LUMINANCE = 8  # of the panel [cd/m2]; exposes the picture well at 0 EV
-
-
-def grid_triangles(rows, columns, wrap_rows):
-    """Triangles of a grid of vertices that closes on itself in columns, and in rows if asked."""
-    index = lambda i, j: (i % rows) * columns + j % columns
-    triangles = []
-    for i in range(rows if wrap_rows else rows - 1):
-        for j in range(columns):
-            a, b, c, d = index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1)
-            triangles += [(a, b, c), (a, c, d)]
-    return triangles
-
-
-def sphere(radius, rings=48, sectors=96):
-    """A closed sphere about the origin: positions, triangles, normals."""
-    normals = []
-    for i in range(1, rings):
-        theta = math.pi * i / rings
-        for j in range(sectors):
-            phi = -2 * math.pi * j / sectors
-            normals.append((math.sin(theta) * math.cos(phi), math.cos(theta), math.sin(theta) * math.sin(phi)))
-    triangles = grid_triangles(rings - 1, sectors, wrap_rows=False)
-    top, bottom, last = len(normals), len(normals) + 1, (rings - 2) * sectors
-    normals += [(0, 1, 0), (0, -1, 0)]
-    for j in range(sectors):
-        k = (j + 1) % sectors
-        triangles += [(top, j, k), (bottom, last + k, last + j)]
-    # Corners stand a little outside, so that the faceted solid has the sphere's volume.
-    scale = radius * (1 + (math.pi / rings) ** 2 / 6)
-    return [tuple(scale * x for x in n) for n in normals], orient(normals, triangles), normals
-
-
-def torus(major, minor, rings=96, sectors=48):
-    """A closed torus about the y axis."""
-    positions, normals = [], []
-    for i in range(rings):
-        u = 2 * math.pi * i / rings
-        for j in range(sectors):
-            v = 2 * math.pi * j / sectors
-            normal = (math.cos(u) * math.cos(v), math.sin(v), math.sin(u) * math.cos(v))
-            normals.append(normal)
-            positions.append((major * math.cos(u) + minor * normal[0], minor * normal[1], major * math.sin(u) + minor * normal[2]))
-    return positions, orient_by_normals(positions, normals, grid_triangles(rings, sectors, wrap_rows=True)), normals
-
-
-def box(x, y, z):
-    """The six quads of a box of these half lengths about the origin, seen from outside."""
-    p = lambda i: ((i & 1 or -1) * x, ((i & 2) - 1) * y, ((i & 4) / 2 - 1) * z)
-    return [[p(i) for i in face] for face in ((0, 4, 6, 2), (1, 3, 7, 5), (0, 1, 5, 4), (2, 6, 7, 3), (0, 2, 3, 1), (4, 5, 7, 6))]
-
-
-def orient_by_normals(positions, normals, triangles):
-    """Turns triangles so that their fronts look along their normals."""
-    turned = []
-    for a, b, c in triangles:
-        e, f = ([positions[k][i] - positions[a][i] for i in range(3)] for k in (b, c))
-        n = (e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0])
-        front = sum(n[i] * (normals[a][i] + normals[b][i] + normals[c][i]) for i in range(3)) > 0
-        turned.append((a, b, c) if front else (a, c, b))
-    return turned
-
-
-def orient(normals, triangles):
-    return orient_by_normals(normals, normals, triangles)
 
 
 def glass(name, roughness, thickness, color, distance):

@@ -1,7 +1,9 @@
 """Writes small glTF 2.0 scenes. Rerunning a script reproduces its files byte for byte. Standard library only."""
 
 import json
+import math
 import struct
+import zlib
 
 
 def cross(a, b):
@@ -10,6 +12,12 @@ def cross(a, b):
 
 def subtract(a, b):
     return tuple(x - y for x, y in zip(a, b))
+
+
+def tiled(quad, tile):
+    """Texture coordinates of a rectangle's corners."""
+    width, height = (math.dist(quad[0], quad[i]) / tile for i in (1, 3))
+    return [(0, height), (width, height), (width, 0), (0, 0)]
 
 
 def lambert(name, color, **more):
@@ -29,6 +37,14 @@ def lamp(name, reflectance, luminance, spectrum):
     return material
 
 
+def png(width, height, pixel):
+    """An 8-bit RGB PNG; pixel(x, y) gives three numbers from 0 to 1, sRGB-encoded."""
+    rows = b"".join(b"\0" + bytes(min(max(round(255 * c), 0), 255) for x in range(width) for c in pixel(x, y)) for y in range(height))
+    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b"")
+
+
 class Scene:
     def __init__(self, copyright):
         self.bytes = bytearray()
@@ -39,6 +55,10 @@ class Scene:
     def _append(self, kind, value):
         self.json[kind].append(value)
         return len(self.json[kind]) - 1
+
+    def _append_optional(self, kind, value):
+        self.json.setdefault(kind, [])  # glTF allows no empty list
+        return self._append(kind, value)
 
     def _node(self, **node):
         self.json["scenes"][0]["nodes"].append(self._append("nodes", node))
@@ -54,21 +74,33 @@ class Scene:
             accessor["max"] = [max(column) for column in zip(*stored)]
         return self._append("accessors", accessor)
 
+    def texture(self, image):
+        """Adds a PNG's bytes. Returns what a material's texture member holds."""
+        view = self._append("bufferViews", {"buffer": 0, "byteOffset": len(self.bytes), "byteLength": len(image)})
+        self.bytes += image + bytes(-len(image) % 4)
+        source = self._append_optional("images", {"bufferView": view, "mimeType": "image/png"})
+        return {"index": self._append_optional("textures", {"source": source})}
+
     def material(self, material):
         return self._append("materials", material)
 
-    def mesh(self, name, material, positions, triangles, normals=None, **node):
+    def mesh(self, name, material, positions, triangles, normals=None, uvs=None, **node):
         """Adds a mesh under a node of its own; without normals it is flat."""
         attributes = {"POSITION": self._accessor("fff", 5126, "VEC3", positions, 34962, bounds=True)}
         if normals:
             attributes["NORMAL"] = self._accessor("fff", 5126, "VEC3", normals, 34962)
+        if uvs:
+            attributes["TEXCOORD_0"] = self._accessor("ff", 5126, "VEC2", uvs, 34962)
         indices = self._accessor("H", 5123, "SCALAR", [(i,) for triangle in triangles for i in triangle], 34963)
         primitive = {"attributes": attributes, "indices": indices, "material": material}
         self._node(name=name, mesh=self._append("meshes", {"name": name, "primitives": [primitive]}), **node)
 
-    def quads(self, name, material, quads, **node):
-        """Quads with their corners counter-clockwise seen from the front."""
+    def quads(self, name, material, quads, tile=None, **node):
+        """Quads with their corners counter-clockwise seen from the front. A texture, if asked for, measures `tile` in the
+        scene's units and lies along each quad's edges, u along its first."""
         positions = [corner for quad in quads for corner in quad]
+        if tile:
+            node["uvs"] = [uv for quad in quads for uv in tiled(quad, tile)]
         triangles = [t for q in range(0, 4 * len(quads), 4) for t in ((q, q + 1, q + 2), (q, q + 2, q + 3))]
         self.mesh(name, material, positions, triangles, **node)
 

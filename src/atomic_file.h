@@ -10,19 +10,26 @@
 
 namespace photopic {
 
+/// Where a path leads that may be a symbolic link, also one to what does not exist yet (the standard library's
+/// canonical() wants it to).
+inline std::filesystem::path follow_links(std::filesystem::path file) {
+  constexpr int kMaxLinks = 40;  // Linux's own bound
+  std::error_code error;
+  for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(file, error); ++i)
+    file = file.parent_path() / std::filesystem::read_symlink(file, error);
+  return file;
+}
+
 /// A file that appears whole or not at all: written under a temporary name in its folder, then renamed.
-/// Symbolic links are followed; pipes and devices (/dev/stdout) are written to, not replaced.
+/// Symbolic links are followed, as a shell's redirection does; pipes and devices (/dev/stdout) are written to, not replaced.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& file) : target_(file), partial_(file) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
-    if (std::filesystem::exists(status)) {
-      direct_ = !std::filesystem::is_regular_file(status);
-      if (direct_) return;
-      const std::filesystem::path linked = std::filesystem::canonical(file, error);
-      if (!error) target_ = linked;
-    }
+    direct_ = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+    if (direct_) return;
+    target_ = follow_links(file);
     partial_ = folder() / ("." + target_.stem().string() + "." + std::to_string(::getpid()) + ".partial" +
                            file.extension().string());
   }
@@ -66,6 +73,8 @@ inline void check_writable_file(const std::filesystem::path& file) {
     return;
   }
   const std::filesystem::path folder = output.folder();
+  if (std::filesystem::is_symlink(follow_links(file), error))
+    throw InputError(file.string(), "is a symbolic link that leads back to itself", "name another file");
   if (!std::filesystem::is_directory(folder, error))
     throw InputError(file.string(), "there is no folder " + folder.string(), "make it first");
   if (::access(folder.c_str(), W_OK | X_OK) != 0)

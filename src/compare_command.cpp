@@ -50,7 +50,8 @@ std::vector<std::filesystem::path> report_files(const CompareArguments& argument
   return files;
 }
 
-void check_outputs(const CompareArguments& arguments) {
+/// @return what will be written
+std::vector<std::filesystem::path> check_outputs(const CompareArguments& arguments) {
   std::vector<std::filesystem::path> outputs;
   if (!arguments.json.empty()) check_writable_file(arguments.json);
   if (!arguments.report.empty()) {
@@ -61,6 +62,7 @@ void check_outputs(const CompareArguments& arguments) {
   std::vector<std::filesystem::path> inputs = input_files(arguments.scene);
   inputs.push_back(arguments.reference);
   check_no_overwriting(outputs, inputs);
+  return outputs;
 }
 
 Image average(const Image& a, const Image& b) {
@@ -241,9 +243,9 @@ Comparison compare(const Setting& setting, std::vector<Entry>& entries) {
 
 int run_compare(const CompareArguments& arguments) {
   interrupt_flag();  // from here on Ctrl-C keeps what is done
-  check_outputs(arguments);
+  const std::vector<std::filesystem::path> outputs = check_outputs(arguments);
   const int wavelengths = choose_wavelength_count(arguments.scene.wavelengths, arguments.scene.distribution);
-  const PreparedScene scene(load_scene(arguments.scene));
+  const PreparedScene scene(load_scene(arguments.scene, outputs));
   const Setting setting{arguments,
                         scene,
                         wavelengths,

@@ -5,6 +5,13 @@
 
 namespace photopic {
 
+/// The text without control characters (line ends, terminals' escapes), which names from files may hold.
+inline std::string one_line(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
+  return text;
+}
+
 /// Something the user gave is wrong and the user can mend it. Printed as one line; the exit code is 1.
 class InputError : public std::runtime_error {
  public:

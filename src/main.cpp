@@ -19,9 +19,8 @@ namespace photopic {
 namespace {
 
 /// An error message is one line, whatever its author wrote.
-void print_error(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  fmt::print(stderr, "photopic: {}\n", text);
+void print_error(const std::string& text) {
+  fmt::print(stderr, "photopic: {}\n", one_line(text));
 }
 
 /// @return the exit code for what is wrong with the command line; help and version are nothing wrong

@@ -16,8 +16,8 @@ bool same_file(const fs::path& a, const fs::path& b) {
   if (fs::exists(a, error) && !fs::is_regular_file(a, error)) return false;
   if (fs::equivalent(a, b, error)) return true;
   // A relative path of which nothing exists yet would stay relative.
-  const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
-  return !error && first == fs::weakly_canonical(fs::absolute(b, error), error);
+  const fs::path first = fs::weakly_canonical(fs::absolute(follow_links(a), error), error);
+  return !error && first == fs::weakly_canonical(fs::absolute(follow_links(b), error), error);
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ struct PhaseTimes {
   double load = 0, prepare = 0, optimize = 0, write = 0;
 };
 
-void check_outputs(const RenderArguments& arguments) {
+/// @return what will be written
+std::vector<std::filesystem::path> check_outputs(const RenderArguments& arguments) {
   for (const auto& output : arguments.outputs) check_writable_image(output);
   if (!arguments.json.empty()) check_writable_file(arguments.json);
   std::vector<std::filesystem::path> outputs = arguments.outputs;
@@ -32,6 +33,7 @@ void check_outputs(const RenderArguments& arguments) {
   std::vector<std::filesystem::path> inputs = input_files(arguments.scene);
   inputs.push_back(arguments.white_balance);
   check_no_overwriting(outputs, inputs);
+  return outputs;
 }
 
 void write_json(const RenderArguments& arguments, const Scene& scene, const Run& run,
@@ -89,7 +91,7 @@ int interrupted_early() {
 int run_render(const RenderArguments& arguments) {
   interrupt_flag();  // from here on Ctrl-C keeps what is done
   const SceneArguments& options = arguments.scene;
-  check_outputs(arguments);
+  const std::vector<std::filesystem::path> outputs = check_outputs(arguments);
   if (!options.distribution.empty() && arguments.sampler != "optimized")
     throw InputError("--distribution", "is for the optimised sampler alone",
                      "leave it out or use --sampler optimized");
@@ -97,7 +99,7 @@ int run_render(const RenderArguments& arguments) {
 
   PhaseTimes times;
   const Stopwatch load_watch;
-  Scene loaded = load_scene(options);
+  Scene loaded = load_scene(options, outputs);
   times.load = load_watch.seconds();
   const Stopwatch prepare_watch;
   const PreparedScene scene(std::move(loaded));

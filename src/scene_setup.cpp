@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <string_view>
 
-#include "core/gltf_loader.h"
 #include "error.h"
 #include "interrupt.h"
+#include "output_file.h"
 
 namespace photopic {
 namespace {
@@ -53,16 +53,20 @@ std::vector<std::filesystem::path> input_files(const SceneArguments& arguments) 
 }
 
 void print_warning(const std::string& text) {
-  fmt::print(stderr, "warning: {}\n", text);
+  fmt::print(stderr, "warning: {}\n", one_line(text));
 }
 
-Scene load_scene(const SceneArguments& arguments) {
+GltfOptions gltf_options(const SceneArguments& arguments) {
   GltfOptions options;
   for (const std::string& text : arguments.emitters) options.emitters.push_back(parse_emitter(text));
   options.camera = arguments.camera;
   if (!arguments.resolution.empty()) parse_resolution(arguments.resolution, options);
+  return options;
+}
 
-  Scene scene = load_gltf(arguments.scene, options);
+Scene load_scene(const SceneArguments& arguments, const std::vector<std::filesystem::path>& outputs) {
+  Scene scene = load_gltf(arguments.scene, gltf_options(arguments));
+  check_no_overwriting(outputs, scene.files);
   for (const std::string& warning : scene.warnings) print_warning(warning);
   if (std::int64_t{scene.camera.width} * scene.camera.height > kMaxPixels)
     throw InputError(arguments.scene.string(),

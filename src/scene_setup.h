@@ -3,7 +3,7 @@
 #include <string>
 
 #include "commands.h"
-#include "core/scene.h"
+#include "core/gltf_loader.h"
 #include "integrator/integrator.h"
 #include "run_report.h"
 
@@ -16,9 +16,14 @@ void print_warning(const std::string& text);
 /// or no files.
 std::vector<std::filesystem::path> input_files(const SceneArguments& arguments);
 
+/// What the arguments ask of the loader.
+/// @throws InputError when --resolution is no size
+GltfOptions gltf_options(const SceneArguments& arguments);
+
 /// Loads the scene with the arguments' camera, resolution and emitters, and prints the loader's warnings.
+/// @param outputs what will be written; none may be a file that the scene names
 /// @throws InputError
-Scene load_scene(const SceneArguments& arguments);
+Scene load_scene(const SceneArguments& arguments, const std::vector<std::filesystem::path>& outputs);
 
 const Observer& standard_observer(const SceneArguments& arguments);
 

@@ -16,7 +16,7 @@
 namespace photopic {
 namespace {
 
-void warn_of_extensions(const GltfDocument& document, std::vector<std::string>& warnings) {
+void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& warnings) {
   const auto known = [](const std::string& name) {
     return std::ranges::count(gltf_rules::kSupported, name) > 0 || name == "KHR_materials_unlit" ||
            name == "KHR_texture_transform";
@@ -27,6 +27,8 @@ void warn_of_extensions(const GltfDocument& document, std::vector<std::string>& 
   for (const std::string& name : names) {
     if (!known(name)) warnings.push_back(fmt::format("the extension {} is ignored", name.substr(0, 60)));
   }
+  if (document.animation_count > 0)
+    warnings.push_back(fmt::format("animations are not played: {}", document.animation_count));
 }
 
 void check_complete(const GltfDocument& document, const Scene& scene) {
@@ -45,8 +47,9 @@ void check_complete(const GltfDocument& document, const Scene& scene) {
 Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
   const GltfDocument document = read_gltf_document(file);
   Scene scene;
+  scene.files = document.named_files;
   const std::vector<NodeInstance> instances = walk_nodes(document, scene.warnings);
-  warn_of_extensions(document, scene.warnings);
+  warn_of_ignored(document, scene.warnings);
   load_gltf_materials(document, scene);
   load_gltf_geometry(document, instances, scene);
   load_gltf_emission(document, options.emitters, scene);

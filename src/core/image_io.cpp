@@ -33,9 +33,8 @@ Encoding encoding_of(const std::filesystem::path& file) {
   return Encoding::unknown;
 }
 
-std::string one_line(std::string text) {
-  std::ranges::replace(text, '\n', ' ');
-  return text.empty() ? "unknown reason" : text;
+std::string reason(const std::string& text) {
+  return text.empty() ? "unknown reason" : one_line(text);
 }
 
 /// 8-bit sRGB after exposure. A pixel with a NaN is magenta, so that it is seen.
@@ -88,7 +87,7 @@ OIIO::ImageSpec make_spec(const Image& image, bool linear, const Metadata& metad
 void write_now(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
                double exposure_ev) {
   const auto fail = [&](const std::string& why) {
-    throw InputError(file.string(), "cannot be written: " + one_line(why),
+    throw InputError(file.string(), "cannot be written: " + reason(why),
                      "check the folder and its free space");
   };
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(file.string());
@@ -143,7 +142,7 @@ Image read_image(const std::filesystem::path& file) {
     fail("there is no such file", "check its name and folder");
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string());
   if (!input)
-    fail("this is no image that can be read: " + one_line(OIIO::geterror()),
+    fail("this is no image that can be read: " + reason(OIIO::geterror()),
          "give an .exr, .hdr, .png or .jpg");
 
   const OIIO::ImageSpec& spec = input->spec();
@@ -159,7 +158,7 @@ Image read_image(const std::filesystem::path& file) {
   const int rgb = find_channels(spec, {"R", "G", "B"}), xyz = find_channels(spec, {"X", "Y", "Z"});
   const int first = std::max({rgb, rgb < 0 ? xyz : -1, 0});
   if (!input->read_image(0, 0, first, first + 3, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
-    fail("it is damaged: " + one_line(input->geterror()), "copy or write it again");
+    fail("it is damaged: " + reason(input->geterror()), "copy or write it again");
   }
   if (encoded) {
     for (float& value : image.pixels) value = static_cast<float>(srgb_decode(value));

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -68,7 +69,8 @@ struct Scene {
   std::vector<std::string> emission_names;          ///< of each spectrum, as the user called it
   Camera camera;
   Vec3d origin;  ///< world position of the coordinates' zero: floats stay accurate far from 0
-  std::vector<std::string> warnings;  ///< one line each: what was ignored or mended
+  std::vector<std::string> warnings;         ///< one line each: what was ignored or mended
+  std::vector<std::filesystem::path> files;  ///< that the scene's file names; some may not exist
 };
 
 }  // namespace photopic

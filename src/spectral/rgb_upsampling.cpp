@@ -14,7 +14,6 @@ using Matrix = std::array<Vector, 3>;
 
 constexpr int kNodes = 189;  ///< every 2.5 nm
 constexpr double kStep = (kLambdaMax - kLambdaMin) / (kNodes - 1);
-constexpr double kSaturated = 1e5;  ///< |argument| where the sigmoid is 0 or 1 in single precision
 
 /// The polynomial is fitted in t = (λ − 560)/100, which conditions the problem far better than x = (λ −
 /// 360)/470.
@@ -126,11 +125,6 @@ Fit solve(const Quadrature& q, const Vector& start, const Vector& target) {
   return fit;
 }
 
-double inverse_sigmoid(double s) {
-  const double y = (s - 0.5) / std::sqrt(s * (1.0 - s));
-  return std::clamp(y, -kSaturated, kSaturated);
-}
-
 SigmoidPolynomial to_sigmoid(const Vector& c) {
   // t = a·x + b
   const double a = (kLambdaMax - kLambdaMin) / kWidth, b = (kLambdaMin - kCentre) / kWidth;
@@ -145,11 +139,10 @@ SigmoidPolynomial upsample_reflectance(const Rgb& linear_srgb) {
   const auto clamp = [](double v) { return v > 0.0 ? std::min(v, 1.0) : 0.0; };
   const Vector target = {clamp(linear_srgb.r), clamp(linear_srgb.g), clamp(linear_srgb.b)};
   // A grey is a constant, black and white exactly so.
-  if (target[0] == target[1] && target[1] == target[2])
-    return to_sigmoid({0.0, 0.0, inverse_sigmoid(target[0])});
+  if (target[0] == target[1] && target[1] == target[2]) return constant_sigmoid(target[0]);
 
   const double mean = (target[0] + target[1] + target[2]) / 3.0;
-  return to_sigmoid(solve(quadrature, {0.0, 0.0, inverse_sigmoid(mean)}, target).coefficients);
+  return to_sigmoid(solve(quadrature, {0.0, 0.0, constant_sigmoid(mean).c2}, target).coefficients);
 }
 
 }  // namespace photopic

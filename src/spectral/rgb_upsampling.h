@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "spectral/color.h"
@@ -25,5 +26,12 @@ struct SigmoidPolynomial {
 /// Gauss–Newton on the residual; round trip within 1e-3 a channel over the cube. Components are clamped to
 /// [0, 1] first, NaN to 0; greys come out constant, exactly 0 and 1 in single precision for black and white.
 SigmoidPolynomial upsample_reflectance(const Rgb& linear_srgb);
+
+/// The sigmoid that has this value in [0, 1] at all wavelengths, 0 and 1 exactly in single precision.
+inline SigmoidPolynomial constant_sigmoid(double value) {
+  constexpr double kSaturated = 1e5;  // where 1/2 + y/(2·sqrt(1 + y²)) rounds to 0 or 1
+  const double y = (value - 0.5) / std::sqrt(value * (1.0 - value));
+  return {0.0f, 0.0f, static_cast<float>(std::clamp(y, -kSaturated, kSaturated))};
+}
 
 }  // namespace photopic

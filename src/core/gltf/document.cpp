@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/gltf/checks.h"
 #include "error.h"
@@ -14,20 +15,45 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The parser's message without its own tag, "[json.exception…] ", fit for one line.
-std::string one_line(std::string text) {
-  if (const std::size_t tag = text.find("] "); tag != std::string::npos) text.erase(0, tag + 2);
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return c < 32; }, ' ');
-  return text.substr(0, 300);
+/// The parser's message without its own tag, "[json.exception…] ", cut to a bearable length.
+std::string parser_message(const std::string& text) {
+  const std::size_t tag = text.find("] ");
+  std::string message = one_line(text.substr(tag == std::string::npos ? 0 : tag + 2, 300));
+  while (message.ends_with(' ')) message.pop_back();
+  return message;
 }
+
+/// Keys are unique in glTF (section 2.7): of two alike the parser would keep one without a word.
+class UniqueKeys {
+ public:
+  explicit UniqueKeys(const GltfFile& file) : file_(file) {}
+
+  /// nlohmann-json's parser callback
+  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
+    const auto level = static_cast<std::size_t>(depth);
+    if (event == Json::parse_event_t::object_start) {
+      keys_.resize(std::max(keys_.size(), level + 2));
+      keys_[level + 1].clear();
+    }
+    if (event == Json::parse_event_t::key && !keys_[level].insert(parsed.get<std::string>()).second)
+      throw InputError(
+          file_.path.string(),
+          fmt::format("the key \"{}\" stands twice in one object", one_line(parsed.get<std::string>().substr(0, 60))),
+          "take one of them out");
+    return true;
+  }
+
+ private:
+  const GltfFile& file_;
+  std::vector<std::set<std::string>> keys_;  ///< of the objects that are open, by their depth
+};
 
 Json parse_json(const GltfFile& file) {
   try {
-    return Json::parse(file.json);
+    UniqueKeys unique(file);
+    return Json::parse(file.json, std::ref(unique));
   } catch (const Json::exception& error) {
-    throw InputError(file.path.string(), "the JSON cannot be parsed: " + one_line(error.what()),
+    throw InputError(file.path.string(), "the JSON cannot be parsed: " + parser_message(error.what()),
                      "correct it or export the file again");
   }
 }
@@ -53,6 +79,29 @@ void load_buffers(GltfDocument& document, const Json& json) {
       document.buffers.emplace_back();
     }
   }
+}
+
+/// Every local file that the document names, whether it is read or not.
+std::vector<std::filesystem::path> named_files(const GltfDocument& document, const Json& json) {
+  std::vector<std::filesystem::path> files;
+  const auto add = [&](const Json& object, const char* key) {
+    if (!object.contains(key) || !object.at(key).is_string()) return;
+    const std::filesystem::path file = gltf_uri_file(object.at(key).get<std::string>(), document.folder());
+    if (!file.empty()) files.push_back(file);
+  };
+  for (const char* list : {"buffers", "images"})
+    if (json.contains(list))
+      for (const Json& object : json.at(list)) add(object, "uri");
+  const auto add_spectra = [&](const Json& list) {
+    for (const Json& object : list)
+      if (object.contains("extras") && object.at("extras").is_object())
+        for (const auto& [key, value] : object.at("extras").items())
+          if (key.ends_with("_spectrum")) add(object.at("extras"), key.c_str());
+  };
+  if (json.contains("materials")) add_spectra(json.at("materials"));
+  const Json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
+  if (json.contains(lights)) add_spectra(json.at(lights));
+  return files;
 }
 
 /// tinygltf is given only what has been checked and is needed. It insists on znear, which a path tracer
@@ -82,10 +131,13 @@ void GltfDocument::fail(const std::string& pointer, const std::string& problem,
 }
 
 GltfDocument read_gltf_document(const std::filesystem::path& path) {
-  GltfDocument document{.file = read_gltf_file(path), .model = {}, .storage = {}, .buffers = {}};
+  GltfDocument document;
+  document.file = read_gltf_file(path);
   Json json = parse_json(document.file);
   check_gltf(json, path);
   load_buffers(document, json);
+  document.named_files = named_files(document, json);
+  if (json.contains("animations")) document.animation_count = json.at("animations").size();
 
   const std::string text = text_for_tinygltf(json);
   tinygltf::TinyGLTF parser;
@@ -98,7 +150,7 @@ GltfDocument read_gltf_document(const std::filesystem::path& path) {
     error = exception.what();
   }
   if (!parsed || !error.empty()) {
-    throw InputError(path.string(), "the glTF cannot be parsed: " + one_line(error),
+    throw InputError(path.string(), "the glTF cannot be parsed: " + parser_message(error),
                      "correct it or export the file again");
   }
   return document;

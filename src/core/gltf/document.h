@@ -23,6 +23,10 @@ struct GltfDocument {
   std::vector<std::vector<std::byte>> storage;
   std::vector<std::span<const std::byte>>
       buffers;  ///< at least byteLength long, or empty where the file gives no bytes
+  std::vector<std::filesystem::path>
+      named_files;  ///< by buffers, images and extras' spectra; some may not exist
+
+  std::size_t animation_count = 0;
 
   std::filesystem::path folder() const { return file.path.parent_path(); }
 

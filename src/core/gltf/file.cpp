@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -13,6 +14,7 @@ namespace photopic {
 namespace {
 
 constexpr int kMaxNesting = 100;
+constexpr std::uintmax_t kMaxFile = 0xFFFFFFFF;  // what a .glb's header can announce
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 constexpr const char* kReexport = "export the file again";
 
@@ -30,6 +32,8 @@ std::vector<char> read_bytes(const std::filesystem::path& path, const std::strin
         fmt::format("\"{}\" holds {} bytes where {} are needed", path.string(), error ? 0 : size, at_least),
         "the file is cut short: copy or export it again");
   }
+  if (size > kMaxFile && at_most > kMaxFile)
+    throw InputError(where, fmt::format("\"{}\" is larger than 4 GiB", path.string()), "split the scene");
   std::vector<char> bytes(std::min<std::uintmax_t>(size, at_most));
   std::ifstream stream(path, std::ios::binary);
   if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
@@ -56,6 +60,7 @@ void split_glb(GltfFile& file) {
         where, fmt::format("the header announces {} bytes, the file holds {}", length, file.bytes.size()),
         "the file is cut short: copy or export it again");
   }
+  file.json = {};
   for (std::uint64_t at = 12; at + 8 <= length;) {
     const std::uint64_t size = word_at(file, at);
     const std::uint32_t type = word_at(file, at + 4);
@@ -72,6 +77,9 @@ void split_glb(GltfFile& file) {
       file.bin = std::as_bytes(std::span(file.bytes).subspan(at + 8, size));
     at += 8 + (size + 3) / 4 * 4;
   }
+  if (file.json.empty()) throw InputError(where, "the .glb holds no JSON chunk", kReexport);
+  // Chunks are padded with blanks; some exporters pad with zeros.
+  while (file.json.ends_with('\0')) file.json.remove_suffix(1);
 }
 
 void check_nesting(const GltfFile& file) {
@@ -155,6 +163,18 @@ GltfFile read_gltf_file(const std::filesystem::path& path) {
   return file;
 }
 
+std::filesystem::path gltf_uri_file(const std::string& uri, const std::filesystem::path& folder) {
+  const auto is_control = [](unsigned char c) { return c < 32 || c == 127; };
+  const std::string decoded_uri = decode_percent(uri);
+  if (uri.starts_with("data:") || uri.find("://") != std::string::npos) return {};
+  if (std::ranges::any_of(decoded_uri, is_control)) return {};
+  // A name may hold a literal per cent sign that its exporter forgot to encode.
+  const std::filesystem::path decoded = folder / decoded_uri, literal = folder / uri;
+  std::error_code error;
+  const bool as_written = !std::filesystem::exists(decoded, error) && std::filesystem::exists(literal, error);
+  return as_written ? literal : decoded;
+}
+
 std::vector<std::byte> read_gltf_uri(const std::string& uri, std::size_t byte_length,
                                      const std::filesystem::path& folder, const std::string& where) {
   if (uri.starts_with("data:")) {
@@ -168,13 +188,10 @@ std::vector<std::byte> read_gltf_uri(const std::string& uri, std::size_t byte_le
                      fmt::format("the data URI holds {} bytes, byteLength is {}", bytes.size(), byte_length),
                      kReexport);
   }
-  if (uri.find("://") != std::string::npos)
+  const std::filesystem::path file = gltf_uri_file(uri, folder);
+  if (file.empty())
     throw InputError(where, "the uri is not a local file", "download it beside the glTF file");
-  // A name may hold a literal per cent sign that its exporter forgot to encode.
-  const std::filesystem::path decoded = folder / decode_percent(uri), literal = folder / uri;
-  std::error_code error;
-  const bool as_written = !std::filesystem::exists(decoded, error) && std::filesystem::exists(literal, error);
-  const std::vector<char> bytes = read_bytes(as_written ? literal : decoded, where, byte_length, byte_length);
+  const std::vector<char> bytes = read_bytes(file, where, byte_length, byte_length);
   const auto view = std::as_bytes(std::span(bytes));
   return {view.begin(), view.end()};
 }

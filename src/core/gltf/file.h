@@ -22,8 +22,12 @@ struct GltfFile {
 /// @throws InputError
 GltfFile read_gltf_file(const std::filesystem::path& path);
 
+/// The file that a `uri` names, its name percent-encoded (RFC 3986), beside the glTF file; empty for data
+/// URIs and what is not local.
+std::filesystem::path gltf_uri_file(const std::string& uri, const std::filesystem::path& folder);
+
 /// The bytes of a buffer's `uri`, at least `byte_length` of them: a base64 data URI (RFC 2397) or a file
-/// beside the glTF file, its name percent-encoded (RFC 3986).
+/// as gltf_uri_file finds it.
 /// @param where names the buffer in messages
 /// @throws InputError
 std::vector<std::byte> read_gltf_uri(const std::string& uri, std::size_t byte_length,

@@ -1,198 +1,149 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <string_view>
 
-/// What glTF 2.0's schema (Khronos, ISO/IEC 12113:2022, annex on JSON schema) and the KHR material
-/// extensions' ask of the parts that the loader reads. In a path, `*` stands for every element of a list or
-/// member of an object.
+#include "core/gltf/material_rules.h"
+#include "core/gltf/rule.h"
+
+/// What glTF 2.0's schema (Khronos, ISO/IEC 12113:2022, annex on JSON schema) and its extensions' ask of what
+/// the loader may read, object by object. What two members must be to each other, checks.cpp knows.
 namespace photopic::gltf_rules {
 
-/// A value that is an index into the list `target`.
-struct Reference {
-  std::string_view path, target;
+inline constexpr Member kSparseIndices[] = {
+    {"bufferView", IndexInto{"bufferViews"}, Form::one, kRequired},
+    {"byteOffset", Whole{0, kMaxBytes}},
+    {"componentType", Whole{5121, 5125}, Form::one, kRequired},
 };
+inline constexpr Member kSparseValues[] = {
+    {"bufferView", IndexInto{"bufferViews"}, Form::one, kRequired},
+    {"byteOffset", Whole{0, kMaxBytes}},
+};
+inline constexpr Member kSparse[] = {
+    {"count", Whole{1, kMaxCount}, Form::one, kRequired},
+    {"indices", Object(kSparseIndices), Form::one, kRequired},
+    {"values", Object(kSparseValues), Form::one, kRequired},
+};
+inline constexpr Member kAccessor[] = {
+    {"bufferView", IndexInto{"bufferViews"}},
+    {"byteOffset", Whole{0, kMaxBytes}},
+    {"componentType", Whole{5120, 5126}, Form::one, kRequired},
+    {"count", Whole{1, kMaxCount}, Form::one, kRequired},
+    {"type", Text{}, Form::one, kRequired},
+    {"normalized", Boolean{}},
+    {"sparse", Object(kSparse)},
+    {"min", Number{-kNoLimit, kNoLimit}, Form::list},
+    {"max", Number{-kNoLimit, kNoLimit}, Form::list},
+};
+inline constexpr Member kBufferView[] = {
+    {"buffer", IndexInto{"buffers"}, Form::one, kRequired},
+    {"byteOffset", Whole{0, kMaxBytes}},
+    {"byteLength", Whole{1, kMaxBytes}, Form::one, kRequired},
+    {"byteStride", Whole{4, 252}},
+};
+inline constexpr Member kBuffer[] = {
+    {"uri", Text{}},
+    {"byteLength", Whole{1, kMaxBytes}, Form::one, kRequired},
+};
+
+inline constexpr Member kPrimitive[] = {
+    {"attributes", IndexInto{"accessors"}, Form::map, kRequired},
+    {"indices", IndexInto{"accessors"}},
+    {"material", IndexInto{"materials"}},
+    {"mode", Whole{0, 6}},
+    {"targets", IndexInto{"accessors"}, Form::list_of_maps},
+};
+inline constexpr Member kMesh[] = {
+    {"primitives", Object(kPrimitive), Form::list, kRequired},
+    {"weights", Number{-kMaxFloat, kMaxFloat}, Form::list},
+};
+
 inline constexpr std::string_view kLights = "extensions/KHR_lights_punctual/lights";
-inline constexpr auto kReferences = std::to_array<Reference>({
-    {"scene", "scenes"},
-    {"scenes/*/nodes/*", "nodes"},
-    {"nodes/*/children/*", "nodes"},
-    {"nodes/*/mesh", "meshes"},
-    {"nodes/*/camera", "cameras"},
-    {"nodes/*/skin", "skins"},
-    {"nodes/*/extensions/KHR_lights_punctual/light", kLights},
-    {"meshes/*/primitives/*/attributes/*", "accessors"},
-    {"meshes/*/primitives/*/targets/*/*", "accessors"},
-    {"meshes/*/primitives/*/indices", "accessors"},
-    {"meshes/*/primitives/*/material", "materials"},
-    {"accessors/*/bufferView", "bufferViews"},
-    {"accessors/*/sparse/indices/bufferView", "bufferViews"},
-    {"accessors/*/sparse/values/bufferView", "bufferViews"},
-    {"bufferViews/*/buffer", "buffers"},
-    {"materials/*/pbrMetallicRoughness/baseColorTexture/index", "textures"},
-    {"materials/*/pbrMetallicRoughness/metallicRoughnessTexture/index", "textures"},
-    {"materials/*/normalTexture/index", "textures"},
-    {"materials/*/occlusionTexture/index", "textures"},
-    {"materials/*/emissiveTexture/index", "textures"},
-    {"materials/*/extensions/KHR_materials_transmission/transmissionTexture/index", "textures"},
-    {"materials/*/extensions/KHR_materials_volume/thicknessTexture/index", "textures"},
-    {"materials/*/extensions/KHR_materials_specular/specularTexture/index", "textures"},
-    {"materials/*/extensions/KHR_materials_specular/specularColorTexture/index", "textures"},
-    {"textures/*/source", "images"},
-    {"textures/*/sampler", "samplers"},
-    {"images/*/bufferView", "bufferViews"},
-    {"skins/*/joints/*", "nodes"},
-    {"skins/*/skeleton", "nodes"},
-    {"skins/*/inverseBindMatrices", "accessors"},
-    {"animations/*/channels/*/target/node", "nodes"},
-    {"animations/*/samplers/*/input", "accessors"},
-    {"animations/*/samplers/*/output", "accessors"},
-});
-
-/// Members that must be there.
-struct Required {
-  std::string_view path, member;
+inline constexpr Member kNodeLight[] = {{"light", IndexInto{kLights}, Form::one, kRequired}};
+inline constexpr Member kNodeVisibility[] = {{"visible", Boolean{}}};
+inline constexpr Member kInstancing[] = {{"attributes", IndexInto{"accessors"}, Form::map, kRequired}};
+inline constexpr Member kNodeExtensions[] = {
+    {"KHR_lights_punctual", Object(kNodeLight)},
+    {"KHR_node_visibility", Object(kNodeVisibility)},
+    {"EXT_mesh_gpu_instancing", Object(kInstancing)},
 };
-inline constexpr auto kRequired = std::to_array<Required>({
-    {"meshes/*", "primitives"},
-    {"meshes/*/primitives/*", "attributes"},
-    {"accessors/*", "componentType"},
-    {"accessors/*", "count"},
-    {"accessors/*", "type"},
-    {"accessors/*/sparse", "count"},
-    {"accessors/*/sparse", "indices"},
-    {"accessors/*/sparse", "values"},
-    {"accessors/*/sparse/indices", "bufferView"},
-    {"accessors/*/sparse/indices", "componentType"},
-    {"accessors/*/sparse/values", "bufferView"},
-    {"bufferViews/*", "buffer"},
-    {"bufferViews/*", "byteLength"},
-    {"buffers/*", "byteLength"},
-    {"cameras/*", "type"},
-    {"cameras/*/perspective", "yfov"},
-    {"materials/*/pbrMetallicRoughness/baseColorTexture", "index"},
-    {"materials/*/pbrMetallicRoughness/metallicRoughnessTexture", "index"},
-    {"materials/*/normalTexture", "index"},
-    {"materials/*/occlusionTexture", "index"},
-    {"materials/*/emissiveTexture", "index"},
-    {"extensions/KHR_lights_punctual/lights/*", "type"},
-});
-
-inline constexpr double kNoLimit = 1e300, kMaxBytes = 9007199254740991.0, kMaxCount = 2147483647.0;
-
-/// Whole numbers; the limits keep every later product inside 64 bits.
-struct Number {
-  std::string_view path;
-  double min, max;
+inline constexpr Member kNode[] = {
+    {"children", IndexInto{"nodes"}, Form::list},
+    {"mesh", IndexInto{"meshes"}},
+    {"camera", IndexInto{"cameras"}},
+    {"skin", IndexInto{"skins"}},
+    {"matrix", Numbers{16, -kNoLimit, kNoLimit}},
+    {"translation", Numbers{3, -kNoLimit, kNoLimit}},
+    {"rotation", Numbers{4, -kNoLimit, kNoLimit}},
+    {"scale", Numbers{3, -kNoLimit, kNoLimit}},
+    {"weights", Number{-kMaxFloat, kMaxFloat}, Form::list},
+    {"extensions", Object(kNodeExtensions)},
 };
-inline constexpr auto kIntegers = std::to_array<Number>({
-    {"buffers/*/byteLength", 1, kMaxBytes},
-    {"bufferViews/*/byteOffset", 0, kMaxBytes},
-    {"bufferViews/*/byteLength", 1, kMaxBytes},
-    {"bufferViews/*/byteStride", 4, 252},
-    {"accessors/*/byteOffset", 0, kMaxBytes},
-    {"accessors/*/count", 1, kMaxCount},
-    {"accessors/*/componentType", 5120, 5126},
-    {"accessors/*/sparse/count", 1, kMaxCount},
-    {"accessors/*/sparse/indices/byteOffset", 0, kMaxCount},
-    {"accessors/*/sparse/indices/componentType", 5121, 5125},
-    {"accessors/*/sparse/values/byteOffset", 0, kMaxCount},
-    {"meshes/*/primitives/*/mode", 0, 6},
-});
-inline constexpr auto kNumbers = std::to_array<Number>({
-    {"cameras/*/perspective/yfov", 1e-4, 3.1415},
-    {"cameras/*/perspective/aspectRatio", 1e-4, 1e4},
-    {"cameras/*/perspective/znear", 0, kNoLimit},
-    {"materials/*/pbrMetallicRoughness/metallicFactor", 0, 1},
-    {"materials/*/pbrMetallicRoughness/roughnessFactor", 0, 1},
-    {"materials/*/extensions/KHR_materials_specular/specularFactor", 0, 1},
-    {"materials/*/extensions/KHR_materials_ior/ior", 0, 100},
-    {"materials/*/extensions/KHR_materials_transmission/transmissionFactor", 0, 1},
-    {"materials/*/extensions/KHR_materials_volume/thicknessFactor", 0, kNoLimit},
-    {"materials/*/extensions/KHR_materials_volume/attenuationDistance", 1e-30, kNoLimit},
-    {"materials/*/extensions/KHR_materials_emissive_strength/emissiveStrength", 0, 1e15},
-});
-
-/// Lists of `size` numbers. Emission and specular colours above 1 do no harm and are seen in the wild.
-struct Vector {
-  std::string_view path;
-  std::size_t size;
-  double min, max;
+inline constexpr Member kScene[] = {{"nodes", IndexInto{"nodes"}, Form::list}};
+inline constexpr Member kSkin[] = {
+    {"joints", IndexInto{"nodes"}, Form::list, kRequired},
+    {"skeleton", IndexInto{"nodes"}},
+    {"inverseBindMatrices", IndexInto{"accessors"}},
 };
-inline constexpr auto kVectors = std::to_array<Vector>({
-    {"nodes/*/matrix", 16, -kNoLimit, kNoLimit},
-    {"nodes/*/translation", 3, -kNoLimit, kNoLimit},
-    {"nodes/*/rotation", 4, -kNoLimit, kNoLimit},
-    {"nodes/*/scale", 3, -kNoLimit, kNoLimit},
-    {"materials/*/emissiveFactor", 3, 0, 1e6},
-    {"materials/*/pbrMetallicRoughness/baseColorFactor", 4, 0, 1},
-    {"materials/*/extensions/KHR_materials_specular/specularColorFactor", 3, 0, kNoLimit},
-    {"materials/*/extensions/KHR_materials_volume/attenuationColor", 3, 0, 1},
-});
 
-inline constexpr auto kStrings = std::to_array<std::string_view>({
-    "nodes/*/name",
-    "cameras/*/name",
-    "materials/*/name",
-    "buffers/*/uri",
-    "accessors/*/type",
-    "cameras/*/type",
-    "extensions/KHR_lights_punctual/lights/*/type",
-    "materials/*/alphaMode",
-    "extensionsUsed/*",
-    "extensionsRequired/*",
-});
+inline constexpr Member kPerspective[] = {
+    {"yfov", Number{1e-4, 3.1415}, Form::one, kRequired},
+    {"aspectRatio", Number{1e-4, 1e4}},
+    {"znear", Number{0, kNoLimit}},
+    {"zfar", Number{0, kNoLimit}},
+};
+inline constexpr Member kOrthographic[] = {
+    {"xmag", Number{-kMaxFloat, kMaxFloat}, Form::one, kRequired},
+    {"ymag", Number{-kMaxFloat, kMaxFloat}, Form::one, kRequired},
+    {"znear", Number{0, kNoLimit}, Form::one, kRequired},
+    {"zfar", Number{0, kNoLimit}, Form::one, kRequired},
+};
+inline constexpr std::string_view kCameraTypes[] = {"perspective", "orthographic"};
+inline constexpr Member kCamera[] = {
+    {"type", OneOf{kCameraTypes}, Form::one, kRequired},
+    {"perspective", Object(kPerspective)},
+    {"orthographic", Object(kOrthographic)},
+};
 
-inline constexpr auto kBooleans =
-    std::to_array<std::string_view>({"accessors/*/normalized", "materials/*/doubleSided"});
+inline constexpr double kHalfPi = 1.5708;  // π/2, rounded up as exporters round it
+inline constexpr Member kSpot[] = {
+    {"innerConeAngle", Number{0, kHalfPi}},
+    {"outerConeAngle", Number{0, kHalfPi}},
+};
+inline constexpr std::string_view kLightTypes[] = {"directional", "point", "spot"};
+inline constexpr Member kLight[] = {
+    {"type", OneOf{kLightTypes}, Form::one, kRequired},
+    {"color", kColor},
+    {"intensity", kNotNegative},
+    {"range", kPositive},
+    {"spot", Object(kSpot)},
+};
+inline constexpr Member kLightsPunctual[] = {{"lights", Object(kLight), Form::list}};
+inline constexpr Member kRootExtensions[] = {{"KHR_lights_punctual", Object(kLightsPunctual)}};
 
-inline constexpr auto kLists = std::to_array<std::string_view>({
-    "accessors",
-    "animations",
-    "buffers",
-    "bufferViews",
-    "cameras",
-    "extensionsRequired",
-    "extensionsUsed",
-    "images",
-    "materials",
-    "meshes",
-    "nodes",
-    "samplers",
-    "scenes",
-    "skins",
-    "textures",
-    "scenes/*/nodes",
-    "nodes/*/children",
-    "meshes/*/primitives",
-});
+/// Animations are not played.
+inline constexpr Member kChannelTarget[] = {{"node", IndexInto{"nodes"}}};
+inline constexpr Member kChannel[] = {{"target", Object(kChannelTarget)}};
+inline constexpr Member kAnimationSampler[] = {
+    {"input", IndexInto{"accessors"}},
+    {"output", IndexInto{"accessors"}},
+};
+inline constexpr Member kAnimation[] = {
+    {"channels", Object(kChannel), Form::list},
+    {"samplers", Object(kAnimationSampler), Form::list},
+};
 
-/// Lists whose elements are objects, and single objects.
-inline constexpr auto kObjects = std::to_array<std::string_view>({
-    "asset",
-    "accessors/*",
-    "animations/*",
-    "buffers/*",
-    "bufferViews/*",
-    "cameras/*",
-    "images/*",
-    "materials/*",
-    "meshes/*",
-    "meshes/*/primitives/*",
-    "meshes/*/primitives/*/attributes",
-    "nodes/*",
-    "samplers/*",
-    "scenes/*",
-    "skins/*",
-    "textures/*",
-    "cameras/*/perspective",
-    "cameras/*/orthographic",
-    "materials/*/pbrMetallicRoughness",
-    "materials/*/extensions/*",
-    "accessors/*/sparse",
-    "extensions/KHR_lights_punctual/lights/*",
-});
+inline constexpr Member kDocument[] = {
+    {"extensionsUsed", Text{}, Form::list},         {"extensionsRequired", Text{}, Form::list},
+    {"buffers", Object(kBuffer), Form::list},       {"bufferViews", Object(kBufferView), Form::list},
+    {"accessors", Object(kAccessor), Form::list},   {"images", Object(kImage), Form::list},
+    {"samplers", Object(kSampler), Form::list},     {"textures", Object(kTextureMembers), Form::list},
+    {"materials", Object(kMaterial), Form::list},   {"meshes", Object(kMesh), Form::list},
+    {"skins", Object(kSkin), Form::list},           {"cameras", Object(kCamera), Form::list},
+    {"extensions", Object(kRootExtensions)},        {"nodes", Object(kNode), Form::list},
+    {"scenes", Object(kScene), Form::list},         {"scene", IndexInto{"scenes"}},
+    {"animations", Object(kAnimation), Form::list},
+};
 
 /// Extensions that a file may require: rendered, or without effect on what is rendered.
 inline constexpr auto kSupported = std::to_array<std::string_view>({

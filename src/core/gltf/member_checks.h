@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/gltf/json_place.h"
+
+/// What rules of single members cannot say. The document has passed those.
+namespace photopic {
+
+/// Views inside their buffers, accessors and their sparse parts inside their views.
+/// @throws InputError
+void check_bytes(const Place& root);
+
+/// Attributes of one primitive: types by their names, equal counts; morph targets and weights; instances;
+/// skins.
+/// @throws InputError
+void check_meshes(const Place& root);
+
+/// Cameras, lights and images: members that depend on each other.
+/// @throws InputError
+void check_objects(const Place& root);
+
+}  // namespace photopic
