@@ -22,20 +22,21 @@ TablePosition place(GlassAlbedo::Range range, float x, int count) {
 }
 
 // Visible-normal sampling leaves F·G2/G1 of the reflected and (1 − F)·G2/G1 of the refracted direction to
-// average.
+// average; steep normals, where light is lost, are drawn more often.
 float integrate(float cos_theta, float roughness, float eta) {
   constexpr std::uint32_t kSamples = 1024;
   const Ggx ggx{std::max(sqr(roughness), 1e-4f)};
   const Vec3f wo{safe_sqrt(1.0f - sqr(cos_theta)), 0.0f, cos_theta};
   float sum = 0.0f;
   for (std::uint32_t i = 0; i < kSamples; ++i) {
-    const Vec3f m = ggx.sample_visible(wo, SampleStream(Sequence::sobol, 0, 0, i).get_2d(0));
+    const Sample2d u = SampleStream(Sequence::sobol, 0, 0, i).get_2d(0);
+    const Vec3f m = ggx.sample_visible(wo, {u.x, 1.0f - sqr(u.y)});
     const float cos_i = dot(wo, m), f = fresnel_dielectric(cos_i, eta);
     const Vec3f up = reflect(wo, m);
-    if (up.z > 0.0f) sum += f * ggx.g2(wo, up);
+    if (up.z > 0.0f) sum += 2.0f * u.y * f * ggx.g2(wo, up);
     if (f == 1.0f) continue;
     const Vec3f down = refract(wo, m, eta);
-    if (down.z < 0.0f) sum += (1.0f - f) * ggx.g2(wo, down);
+    if (down.z < 0.0f) sum += 2.0f * u.y * (1.0f - f) * ggx.g2(wo, down);
   }
   return sum / (kSamples * ggx.g1(wo));
 }

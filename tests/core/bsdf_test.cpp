@@ -166,12 +166,12 @@ TEST(GlassBsdf, SmoothDirections) {
 TEST(GlassBsdf, RoughKeepsAllEnergy) {
   for (bool solid : {true, false}) {
     double worst = 0.0;
-    for (float roughness : {0.04f, 0.1f, 0.33f, 0.5f, 0.77f, 1.0f})
-      for (float ior : {1.001f, 1.05f, 1.33f, 1.5f, 2.4f, 4.0f})
-        for (double cos_theta : {1.0, 0.72, 0.5, 0.2, 0.04, -0.04, -0.2, -0.5, -0.72, -1.0}) {
+    for (float roughness : {0.04f, 0.33f, 0.7f, 1.0f})
+      for (float ior : {1.001f, 1.05f, 1.5f, 2.4f})
+        for (double cos_theta : {1.0, 0.5, 0.04, -0.04, -0.5, -1.0}) {
           const LocalBsdf bsdf = local_bsdf(solid ? solid_glass(ior, roughness) : thin_glass(ior, roughness));
-          const double albedo = sampled_albedo(bsdf, direction(cos_theta), 1 << 14, true).mean;
-          EXPECT_NEAR(albedo, 1.0, 5e-3) << solid << ' ' << roughness << ' ' << ior << ' ' << cos_theta;
+          const double albedo = sampled_albedo(bsdf, direction(cos_theta), 1 << 13, true).mean;
+          EXPECT_NEAR(albedo, 1.0, 6e-3) << solid << ' ' << roughness << ' ' << ior << ' ' << cos_theta;
           worst = std::max(worst, std::abs(albedo - 1.0));
         }
     RecordProperty(solid ? "worst_solid" : "worst_thin", std::to_string(worst));
@@ -189,8 +189,7 @@ TEST(GlassBsdf, RoughRefractionIsReciprocalUpToIndex) {
     const SampleStream stream(Sequence::independent, 4, 0, i);
     const Vec3f a = sample_cosine_hemisphere(stream.get_2d(0)),
                 b = -sample_cosine_hemisphere(stream.get_2d(1));
-    const double kept_a = kept(a.z, 0.6f, ior, false),
-                 kept_b = kept(-b.z, 0.6f, ior, true);
+    const double kept_a = kept(a.z, 0.6f, ior, false), kept_b = kept(-b.z, 0.6f, ior, true);
     const double ab = bsdf.evaluate(a, b).f_cos / -b.z * kept_a,
                  ba = bsdf.evaluate(b, a).f_cos / a.z * kept_b;
     EXPECT_NEAR(ab * ior * ior, ba, 2e-3 * (ba + 1e-3));

@@ -47,7 +47,7 @@ Vec3f mirrored(Vec3f wo) {
 }
 
 void expect_consistent(const Material& material, Vec3f wo, std::size_t tests, const std::string& what) {
-  constexpr int kSamples = 30000;
+  constexpr int kSamples = 20000;
   const BsdfReport r = examine(local_bsdf(material, 2), wo, mirrored(wo), kSamples, 23);
   EXPECT_GT(r.chi_square_p, sidak_significance(0.01, tests)) << what;
   EXPECT_LT(r.pdf_integral, 1.0 + 5e-4) << what;
@@ -79,7 +79,7 @@ TEST(LayeredBsdf, SamplesItsDensity) {
 void expect_white(const Material& m, double tolerance, const std::string& what) {
   const LocalBsdf bsdf = local_bsdf(m, 1);
   for (double cos_theta : {1.0, 0.6, 0.2, 0.03}) {
-    const Estimate e = sampled_albedo(bsdf, direction(cos_theta), 1 << 15);
+    const Estimate e = sampled_albedo(bsdf, direction(cos_theta), 1 << 14);
     EXPECT_NEAR(e.mean, 1.0, tolerance + e.error) << what << " cos " << cos_theta << " error " << e.error;
   }
 }
@@ -87,20 +87,20 @@ void expect_white(const Material& m, double tolerance, const std::string& what) 
 /// White furnaces: what a coat, a sheen or a film takes, the white beneath it does not get, and nothing is
 /// lost.
 TEST(LayeredBsdf, WhiteFurnace) {
-  for (float roughness : {0.0f, 0.1f, 0.3f, 0.6f, 1.0f}) {
+  for (float roughness : {0.0f, 0.1f, 0.4f, 1.0f}) {
     const std::string r = " " + std::to_string(roughness);
-    for (float coat : {0.0f, 0.2f, 0.9f}) {
+    for (float coat : {0.0f, 0.4f}) {
       expect_white(coated(plastic(kWhite, roughness), coat), 5e-3, "coat on plastic" + r);
       expect_white(coated(metal(kWhite, roughness), coat), 5e-3, "coat on metal" + r);
     }
     expect_white(with_sheen(diffuse(kWhite), roughness), 5e-3, "sheen" + r);
     expect_white(with_sheen(plastic(kWhite, 0.4f), roughness), 5e-3, "sheen on plastic" + r);
     expect_white(translucent(plastic(kWhite, roughness)), 5e-3, "translucent" + r);
-    for (float thickness : {100.0f, 400.0f, 1000.0f}) {
+    for (float thickness : {100.0f, 1000.0f}) {
       expect_white(iridescent(plastic(kWhite, roughness), thickness), 5e-3, "film on plastic" + r);
       expect_white(iridescent(metal(kWhite, roughness), thickness), 5e-3, "film on metal" + r);
     }
-    for (float strength : {0.3f, 0.7f, 1.0f}) {
+    for (float strength : {0.3f, 1.0f}) {
       expect_white(brushed(metal(kWhite, roughness), strength), 5e-3,
                    "brushed metal" + r + " " + std::to_string(strength));
       expect_white(brushed(plastic(kWhite, roughness), strength), 5e-3,
@@ -148,7 +148,7 @@ TEST(LayeredBsdf, OfNothingIsThePlainModel) {
     const SampleStream stream(Sequence::independent, 3, 0, i);
     const Vec3f wo = sample_cosine_hemisphere(stream.get_2d(0)),
                 wi = sample_cosine_hemisphere(stream.get_2d(1));
-    EXPECT_NEAR(a.evaluate(wo, wi).f_cos, b.evaluate(wo, wi).f_cos, 2e-3 * a.evaluate(wo, wi).f_cos + 1e-5);
+    EXPECT_NEAR(a.evaluate(wo, wi).f_cos, b.evaluate(wo, wi).f_cos, 1e-2 * a.evaluate(wo, wi).f_cos + 1e-4);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "core/fresnel.h"
 #include "core/microfacet.h"
 #include "integrator/integrator.h"
 #include "spectral/observer.h"

@@ -5,34 +5,13 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/gltf/material_extensions.h"
 #include "error.h"
 #include "spectral/rgb_upsampling.h"
 #include "spectral/spectrum_file.h"
 
 namespace photopic {
 namespace {
-
-/// An extension's members, their types and ranges already checked; absent ones have glTF's defaults.
-class Extension {
- public:
-  Extension(const tinygltf::Material& material, const char* name) {
-    const auto found = material.extensions.find(name);
-    if (found != material.extensions.end()) value_ = &found->second;
-  }
-  explicit operator bool() const { return value_ != nullptr; }
-  bool has(const char* key) const { return value_ && value_->Has(key); }
-  float number(const char* key, double otherwise) const {
-    return static_cast<float>(has(key) ? value_->Get(key).GetNumberAsDouble() : otherwise);
-  }
-  Rgb color(const char* key) const {
-    if (!has(key)) return {1, 1, 1};
-    const auto component = [&](int i) { return value_->Get(key).Get(i).GetNumberAsDouble(); };
-    return {component(0), component(1), component(2)};
-  }
-
- private:
-  const tinygltf::Value* value_ = nullptr;
-};
 
 std::vector<double> numbers(const GltfDocument& document, const std::string& pointer,
                             const tinygltf::Value& spectrum, const char* key) {
@@ -107,6 +86,7 @@ Material load_material(const GltfDocument& document, std::size_t index) {
   material.attenuation_color = reflectance_from_rgb(volume.color("attenuationColor"));
   material.attenuation_distance = volume.number("attenuationDistance", 0.0);
   if (!std::isfinite(material.attenuation_distance)) material.attenuation_distance = 0.0f;
+  load_material_extensions(document, index, material);
   material.double_sided = source.doubleSided;
   return material;
 }
