@@ -8,9 +8,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <stdexcept>
 #include <string>
+
+#include "core/sample_sequence.h"
+#include "core/surface.h"
 
 namespace photopic {
 namespace {
@@ -31,6 +35,17 @@ RTCRay make_ray(Vec3f origin, Vec3f direction, float t_max) {
 }
 
 constexpr std::size_t kPacket = 16;
+
+/// A number in [0, 1) for a ray and a triangle, whatever stands beside it in a batch: as pbrt-v4 does
+/// (GeometricPrimitive::Intersect).
+float hash_to_unit(const RTCFilterFunctionNArguments& a, unsigned i) {
+  std::uint32_t hash = RTCHitN_primID(a.hit, a.N, i) * 0x9e3779b9u + RTCHitN_geomID(a.hit, a.N, i);
+  for (const float x :
+       {RTCRayN_org_x(a.ray, a.N, i), RTCRayN_org_y(a.ray, a.N, i), RTCRayN_org_z(a.ray, a.N, i),
+        RTCRayN_dir_x(a.ray, a.N, i), RTCRayN_dir_y(a.ray, a.N, i), RTCRayN_dir_z(a.ray, a.N, i)})
+    hash = mix_bits(hash * 31u + std::bit_cast<std::uint32_t>(x));
+  return static_cast<float>(hash >> 8) * 0x1p-24f;
+}
 
 void load(const RayArray& rays, std::span<const std::uint32_t> slots, RTCRay16& packet,
           std::span<int> valid) {
@@ -110,7 +125,32 @@ struct Accel::Handles {
   }
 };
 
-Accel::Accel(Geometry& geometry) : handles_(std::make_unique<Handles>()) {
+/// What lets rays through a shape that covers in part.
+struct Accel::Sieve {
+  const Geometry& geometry;
+  const Surface& surface;
+  std::uint32_t first_triangle;
+
+  /// Embree's filter, for nearest hits and for shadows.
+  static void filter(const RTCFilterFunctionNArguments* a) {
+    const Sieve& sieve = *static_cast<const Sieve*>(a->geometryUserPtr);
+    for (unsigned i = 0; i < a->N; ++i) {
+      if (a->valid[i] == 0) continue;
+      const TrianglePoint point(sieve.geometry, sieve.first_triangle + RTCHitN_primID(a->hit, a->N, i),
+                                RTCHitN_u(a->hit, a->N, i), RTCHitN_v(a->hit, a->N, i));
+      const float coverage = sieve.surface.coverage(point);
+      if (coverage < 1.0f && hash_to_unit(*a, i) >= coverage) a->valid[i] = 0;
+    }
+  }
+
+  void attach(RTCGeometry mesh) {
+    rtcSetGeometryUserData(mesh, this);
+    rtcSetGeometryIntersectFilterFunction(mesh, filter);
+    rtcSetGeometryOccludedFilterFunction(mesh, filter);
+  }
+};
+
+Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces) : handles_(std::make_unique<Handles>()) {
   rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
   rtcSetSceneBuildQuality(handles_->scene, RTC_BUILD_QUALITY_HIGH);
   geometry.positions.reserve(geometry.positions.size() + 1);
@@ -122,6 +162,10 @@ Accel::Accel(Geometry& geometry) : handles_(std::make_unique<Handles>()) {
     rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, geometry.triangles.data(),
                                shape.first_triangle * sizeof(geometry.triangles[0]),
                                sizeof(geometry.triangles[0]), shape.triangle_count);
+    if (const Surface& surface = surfaces[shape.material]; surface.partly_covers) {
+      sieves_.push_back(std::make_unique<Sieve>(Sieve{geometry, surface, shape.first_triangle}));
+      sieves_.back()->attach(mesh);
+    }
     rtcCommitGeometry(mesh);
     rtcAttachGeometry(handles_->scene, mesh);
     rtcReleaseGeometry(mesh);

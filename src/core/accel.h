@@ -35,12 +35,17 @@ struct Hit {
   float t = 0;
 };
 
+struct Surface;
+
 /// The bounding volume hierarchy: the only home of Embree (3.13 or 4).
 class Accel {
  public:
   /// Builds with TBB over the geometry's own buffers, which must stay where they are. (Embree reads vertices
-  /// 16 bytes at a time, so positions get room for one more.) @throws std::runtime_error when Embree does
-  explicit Accel(Geometry& geometry);
+  /// 16 bytes at a time, so positions get room for one more.) Rays pass surfaces that cover a point in part
+  /// as a hash of the ray and the triangle decides. @param surfaces of Shape::material; must stay where they
+  /// are
+  /// @throws std::runtime_error when Embree does
+  Accel(Geometry& geometry, std::span<const Surface> surfaces);
   ~Accel();
   Accel(Accel&&) noexcept;
   Accel& operator=(Accel&&) noexcept;
@@ -57,7 +62,9 @@ class Accel {
 
  private:
   struct Handles;
+  struct Sieve;
   std::unique_ptr<Handles> handles_;
+  std::vector<std::unique_ptr<Sieve>> sieves_;
   std::vector<std::uint32_t> first_triangle_;  ///< of each shape
 };
 

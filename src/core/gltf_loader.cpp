@@ -11,6 +11,7 @@
 #include "core/gltf/material.h"
 #include "core/gltf/nodes.h"
 #include "core/gltf/rules.h"
+#include "core/gltf/texture.h"
 #include "error.h"
 
 namespace photopic {
@@ -18,8 +19,7 @@ namespace {
 
 void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& warnings) {
   const auto known = [](const std::string& name) {
-    return std::ranges::count(gltf_rules::kSupported, name) > 0 || name == "KHR_materials_unlit" ||
-           name == "KHR_texture_transform";
+    return std::ranges::count(gltf_rules::kSupported, name) > 0;
   };
   std::vector<std::string> names = document.model.extensionsUsed;
   std::ranges::sort(names);
@@ -52,6 +52,7 @@ Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
   warn_of_ignored(document, scene.warnings);
   load_gltf_materials(document, scene);
   load_gltf_geometry(document, instances, scene);
+  load_gltf_textures(document, scene);
   load_gltf_emission(document, options.emitters, scene);
   load_gltf_camera(document, instances, options, scene);
   if (!options.allow_incomplete) check_complete(document, scene);

@@ -32,7 +32,7 @@ LightSampler::LightSampler(const Scene& scene)
       const float error = position_error(v, positions[b], positions[c]);
       const float shrink = shrink_to_middle(error, std::max(max_abs(e1), max_abs(e2)));
       triangles_.push_back({v + (e1 + e2) * (shrink / 3.0f), e1 * (1.0f - shrink), e2 * (1.0f - shrink),
-                            to_float(n / (2.0 * area)), shape.material, error});
+                            to_float(n / (2.0 * area)), shape.material, shape.first_triangle + i, error});
       power.push_back(area * emitted(material));
       total += power.back();
       power_of_spectrum_[static_cast<std::size_t>(material.emission_spectrum)] += power.back();
@@ -72,7 +72,12 @@ LightSample LightSampler::sample(double u_choice, Sample2d u) const {
   const bool keep = scaled - bin < bins_[bin].keep;
   const Triangle& t = triangles_[keep ? bin : bins_[bin].alias];
   const Sample2d b = sample_triangle(u);
-  return {t.vertex + t.edge1 * b.x + t.edge2 * b.y, t.normal, pdf_of_material_[t.material], t.material,
+  return {t.vertex + t.edge1 * b.x + t.edge2 * b.y,
+          t.normal,
+          pdf_of_material_[t.material],
+          t.material,
+          t.index,
+          b,
           t.error};
 }
 

@@ -15,6 +15,8 @@ struct LightSample {
   Vec3f normal;            ///< of the emitting triangle's front, unit
   float pdf_area;          ///< of the point among all lamps' surfaces [1/m²]
   std::uint32_t material;  ///< the emitter's
+  std::uint32_t triangle;  ///< index into Geometry::triangles
+  Sample2d uv;             ///< barycentric coordinates of its second and third vertex
   float error;             ///< bound on the point's distance from its triangle's plane [m]
 
   /// Where a shadow ray may end that comes from direction w.
@@ -39,7 +41,7 @@ class LightSampler {
  private:
   struct Triangle {
     Vec3f vertex, edge1, edge2, normal;
-    std::uint32_t material;
+    std::uint32_t material, index;
     float error;
   };
   std::vector<Triangle> triangles_;

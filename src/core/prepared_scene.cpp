@@ -10,7 +10,7 @@ namespace photopic {
 PreparedScene::PreparedScene(Scene source)
     : scene(std::move(source)),
       surfaces(scene.materials.begin(), scene.materials.end()),
-      accel(scene.geometry),
+      accel(scene.geometry, surfaces),
       lights(scene) {
   // What is made when first asked for is made now, on nobody's clock.
   const auto is_rough = [](const Surface& s) { return s.opaque_kind != BsdfKind::diffuse || s.transmits; };

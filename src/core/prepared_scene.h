@@ -12,6 +12,8 @@ namespace photopic {
 /// A scene made ready for rendering: what every sampler and every render of it share.
 struct PreparedScene {
   explicit PreparedScene(Scene source);
+  PreparedScene(const PreparedScene&) = delete;  // its parts point to each other
+  PreparedScene& operator=(const PreparedScene&) = delete;
 
   Scene scene;
   std::vector<Surface> surfaces;  ///< of Scene::materials, compiled for shading

@@ -3,26 +3,51 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/camera.h"
 #include "core/material_extensions.h"
 #include "core/math.h"
+#include "core/texture.h"
 #include "spectral/spectrum.h"
 
 namespace photopic {
+
+/// What varies over a material; each is multiplied with the material's number or colour of that name.
+struct MaterialTextures {
+  Texture base_color;          ///< and, in its alpha, the coverage
+  Texture metallic_roughness;  ///< blue and green
+  Texture normal;              ///< in tangent space, [0, 1] for [−1, 1]
+  float normal_scale = 1.0f;   ///< on its x and y
+  Texture emissive;
+  Texture transmission;  ///< red
+  Texture specular;      ///< alpha
+  Texture specular_color;
+};
+
+/// How alpha (of material × texture × vertex colour) covers the surface: wholly, where it reaches the cutoff,
+/// or as the share of rays that it meets.
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 /// glTF's metallic-roughness material with its transmission, volume, ior and specular extensions, as
 /// authored.
 struct Material {
   std::string name;
-  Spectrum base_color = ConstantSpectrum{1.0};  ///< reflectance in [0, 1]
+  Spectrum base_color = ConstantSpectrum{1.0};  ///< reflectance in [0, 1]; where nothing varies it, else:
+  Vec3f base_factor{1, 1, 1};      ///< linear sRGB, times texture and vertex colour; the product is upsampled
+  bool base_is_measured = false;   ///< or, if base_color was given as a spectrum: that times their luminance
+  bool has_vertex_colors = false;  ///< some mesh has COLOR_0 with this material
+  std::shared_ptr<const MaterialTextures> textures{};  ///< none in most scenes
+  AlphaMode alpha_mode = AlphaMode::opaque;
+  float alpha = 1.0f, alpha_cutoff = 0.5f;
   float metallic = 1.0f;
   float roughness = 1.0f;  ///< perceptual; GGX α = roughness²
   float ior = 1.5f;        ///< 0 (Fresnel 1) or ≥ 1
   float specular = 1.0f;   ///< KHR_materials_specular's specularFactor
   Spectrum specular_color = ConstantSpectrum{1.0};
+  Vec3f specular_color_factor{1, 1, 1};  ///< the same as linear sRGB, for a texture
   float transmission = 0.0f;
   bool thin_walled = true;                             ///< thicknessFactor 0: refraction is not seen
   Spectrum attenuation_color = ConstantSpectrum{1.0};  ///< transmittance over attenuation_distance
@@ -35,7 +60,11 @@ struct Material {
       false;  ///< it has a normal map (or is anisotropic): TANGENT is stored if the file has it
 
   int emission_spectrum = -1;       ///< index into Scene::emission_spectra, −1: emits nothing
-  float emission_luminance = 0.0f;  ///< factor on that spectrum, which has unit luminance [cd/m²]
+  float emission_luminance = 0.0f;  ///< factor on that spectrum, which has unit luminance [cd/m²]; textured:
+  Vec3f emissive_factor{1, 1, 1};   ///< linear sRGB, times texture: a further factor, upsampled to a spectrum
+  bool emission_is_measured = false;  ///< or, if the spectrum was given: of it only the luminance
+  bool unlit =
+      false;  ///< KHR_materials_unlit: a lamp in its base colour (vertex colours too) that reflects nothing
 };
 
 /// A range of triangles that share a material: one glTF primitive, under one node or, where instances share

@@ -1,34 +1,53 @@
 #pragma once
 
 #include "core/surface.h"
+#include "spectral/rgb_table.h"
 
 namespace photopic {
 
 /// A surface's parameters at one hit and at a path's wavelengths: what BSDFs are made from. Each is looked up
-/// when it is asked for, so that no BSDF pays for what it does not use. Lives as long as its surface.
+/// when it is asked for, so that no BSDF pays for what it does not use. Lives as long as its surface and the
+/// geometry of its point.
 template <int N>
 class ShadingMaterial {
  public:
-  ShadingMaterial(const Surface& surface, SampledSpectrum<N> lambda) : surface_(surface), lambda_(lambda) {}
+  ShadingMaterial(const Surface& surface, SampledSpectrum<N> lambda, const TrianglePoint& point = {})
+      : surface_(surface), lambda_(lambda), point_(point) {}
 
   const Surface& surface() const { return surface_; }
   SampledSpectrum<N> lambda() const { return lambda_; }  ///< [nm]
+  const TrianglePoint& point() const { return point_; }
 
   /// Reflectance in [0, 1].
-  SampledSpectrum<N> base_color() const { return sample_spectrum<N>(surface_.base_color, lambda_); }
-  SampledSpectrum<N> specular_color() const { return sample_spectrum<N>(surface_.specular_color, lambda_); }
+  SampledSpectrum<N> base_color() const {
+    if (!surface_.base_varies) return sample_spectrum<N>(surface_.base_color, lambda_);
+    const Vec3f rgb = surface_.base_rgb(point_);
+    if (!surface_.base_is_measured) return reflectance(rgb);
+    return sample_spectrum<N>(surface_.base_color, lambda_) * std::min(luminance(rgb), 1.0f);
+  }
 
-  float roughness() const { return surface_.roughness; }  ///< perceptual; GGX α is its square
-  float specular() const { return surface_.specular; }
+  SampledSpectrum<N> specular_color() const {
+    if (!has(&MaterialTextures::specular_color)) return sample_spectrum<N>(surface_.specular_color, lambda_);
+    const Vec4f texel = point_.look_up(surface_.textures->specular_color);
+    const Vec3f factor = surface_.specular_color_factor;
+    return reflectance({factor.x * texel.x, factor.y * texel.y, factor.z * texel.z});
+  }
+
+  /// Perceptual; GGX α is its square.
+  float roughness() const {
+    return surface_.roughness * textured(&MaterialTextures::metallic_roughness, &Vec4f::y);
+  }
+  float specular() const { return surface_.specular * textured(&MaterialTextures::specular, &Vec4f::w); }
 
   /// Of the mix m·metal + (1 − m)·((1 − t)·diffuse + t·glass), what remains when glass was not chosen.
   float opaque_metallic() const {
-    const float glass = glass_probability();
-    if (glass == 0.0f) return surface_.metallic;
-    return glass < 1.0f ? surface_.metallic / (1.0f - glass) : 0.0f;
+    const float m = metallic();
+    if (!surface_.transmits) return m;
+    const float glass = transmission() * (1.0f - m);
+    return glass < 1.0f ? m / (1.0f - glass) : 0.0f;
   }
 
-  float glass_probability() const { return surface_.transmission * (1.0f - surface_.metallic); }
+  float glass_probability() const { return surface_.transmits ? transmission() * (1.0f - metallic()) : 0.0f; }
 
   /// glTF's mixes are linear in metallic and transmission, so one of the two BSDFs may stand for both, chosen
   /// with probability transmission·(1 − metallic) for glass. @param u in [0, 1)
@@ -36,9 +55,33 @@ class ShadingMaterial {
     return surface_.transmits && u < glass_probability() ? surface_.glass_kind : surface_.opaque_kind;
   }
 
+  /// Factor on the surface's emission spectrum × luminance: of a texture, else 1.
+  SampledSpectrum<N> emission_tint() const {
+    if (!surface_.emission_varies) return SampledSpectrum<N>(1.0f);
+    const Vec3f rgb = surface_.emissive_rgb(point_);
+    return surface_.emission_is_measured ? SampledSpectrum<N>(luminance(rgb)) : reflectance(rgb);
+  }
+
  private:
+  bool has(Texture MaterialTextures::*which) const {
+    return surface_.textures && (*surface_.textures).*which;
+  }
+  float textured(Texture MaterialTextures::*which, float Vec4f::*channel) const {
+    return has(which) ? point_.look_up((*surface_.textures).*which).*channel : 1.0f;
+  }
+  float metallic() const {
+    return surface_.metallic * textured(&MaterialTextures::metallic_roughness, &Vec4f::z);
+  }
+  float transmission() const {
+    return surface_.transmission * textured(&MaterialTextures::transmission, &Vec4f::x);
+  }
+  SampledSpectrum<N> reflectance(Vec3f rgb) const {
+    return sample_spectrum<N>(tabulated_reflectance(rgb.x, rgb.y, rgb.z), lambda_);
+  }
+
   const Surface& surface_;
   SampledSpectrum<N> lambda_;
+  TrianglePoint point_;
 };
 
 }  // namespace photopic

@@ -91,8 +91,8 @@ class FresnelFit {
 
   SampledSpectrum<N> operator()(float cos_theta) const { return fresnel_(cos_theta); }
 
-  /// The term as the albedos have it: linear between nodes but for Schlick's part. Over a base that takes what is not
-  /// reflected this one keeps energy exactly.
+  /// The term as the albedos have it: linear between nodes but for Schlick's part. Over a base that takes
+  /// what is not reflected this one keeps energy exactly.
   SampledSpectrum<N> fitted(float cos_theta) const {
     return plain_ ? fresnel_(cos_theta) : albedo(FresnelAlbedo::at(cos_theta));
   }

@@ -3,8 +3,28 @@
 #include "core/microfacet.h"
 
 namespace photopic {
-
 namespace {
+
+Vec3f operator*(Vec3f a, Vec4f b) {
+  return {a.x * b.x, a.y * b.y, a.z * b.z};
+}
+
+bool has_texture(const Material& m, Texture MaterialTextures::*which) {
+  return m.textures && (*m.textures).*which;
+}
+
+bool has_partial_alpha(const Material& m) {
+  if (m.alpha_mode == AlphaMode::opaque) return false;
+  const bool textured =
+      has_texture(m, &MaterialTextures::base_color) && m.textures->base_color.image->has_alpha();
+  return textured || m.has_vertex_colors ||
+         m.alpha < (m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 1.0f);
+}
+
+bool may_transmit(const Material& m) {
+  return m.transmission > 0.0f &&
+         (m.metallic < 1.0f || has_texture(m, &MaterialTextures::metallic_roughness));
+}
 
 BsdfKind opaque_kind_of(const Material& m) {
   if (m.extensions.is_layered()) return BsdfKind::layered;
@@ -30,9 +50,11 @@ GlassAlbedo::Range ior_range(const Material& m) {
 
 /// Of rough solid glass alone; where there is no change of index, nothing scatters.
 std::shared_ptr<const GlassAlbedo> glass_albedo_of(const Material& m) {
-  const bool refracts = m.transmission > 0.0f && m.metallic < 1.0f && !m.thin_walled;
-  if (!refracts || sqr(m.roughness) < kSmoothAlpha || ior_range(m).high < kLeastRoughIor) return nullptr;
-  return std::make_shared<const GlassAlbedo>(ior_range(m), GlassAlbedo::Range{m.roughness, m.roughness});
+  if (!may_transmit(m) || m.thin_walled || sqr(m.roughness) < kSmoothAlpha ||
+      ior_range(m).high < kLeastRoughIor)
+    return nullptr;
+  const float least = has_texture(m, &MaterialTextures::metallic_roughness) ? 0.0f : m.roughness;
+  return std::make_shared<const GlassAlbedo>(ior_range(m), GlassAlbedo::Range{least, m.roughness});
 }
 
 }  // namespace
@@ -40,12 +62,24 @@ std::shared_ptr<const GlassAlbedo> glass_albedo_of(const Material& m) {
 Surface::Surface(const Material& m)
     : opaque_kind(opaque_kind_of(m)),
       glass_kind(glass_kind_of(m)),
-      transmits(m.transmission > 0.0f && m.metallic < 1.0f),
+      transmits(may_transmit(m)),
       emits(m.emission_spectrum >= 0 && m.emission_luminance > 0.0f),
       double_sided(m.double_sided),
       solid(!m.thin_walled),
+      base_varies(!m.unlit && (m.has_vertex_colors || has_texture(m, &MaterialTextures::base_color))),
+      emission_varies(has_texture(m, &MaterialTextures::emissive) || (m.unlit && m.has_vertex_colors)),
+      maps_normals(has_texture(m, &MaterialTextures::normal)),
+      partly_covers(has_partial_alpha(m)),
       base_color(m.base_color),
       specular_color(m.specular_color),
+      base_factor(m.base_factor),
+      specular_color_factor(m.specular_color_factor),
+      base_is_measured(m.base_is_measured),
+      has_vertex_colors(m.has_vertex_colors),
+      textures(m.textures),
+      alpha_mode(m.alpha_mode),
+      alpha(m.alpha),
+      alpha_cutoff(m.alpha_cutoff),
       metallic(m.metallic),
       roughness(m.roughness),
       transmission(m.transmission),
@@ -56,6 +90,31 @@ Surface::Surface(const Material& m)
       glass_albedo(glass_albedo_of(m)),
       extensions(extensions_of(m)),
       emission_spectrum(m.emission_spectrum),
-      emission_luminance(m.emission_luminance) {}
+      emission_luminance(m.emission_luminance),
+      emissive_factor(m.emissive_factor),
+      emission_is_measured(m.emission_is_measured),
+      unlit(m.unlit) {}
+
+Vec3f Surface::base_rgb(const TrianglePoint& point) const {
+  Vec3f rgb = base_factor;
+  if (textures && textures->base_color) rgb = rgb * point.look_up(textures->base_color);
+  if (has_vertex_colors) rgb = rgb * point.color();
+  return rgb;
+}
+
+Vec3f Surface::emissive_rgb(const TrianglePoint& point) const {
+  Vec3f rgb = emissive_factor;
+  if (textures && textures->emissive) rgb = rgb * point.look_up(textures->emissive);
+  if (unlit && has_vertex_colors) rgb = rgb * point.color();
+  return rgb;
+}
+
+float Surface::coverage(const TrianglePoint& point) const {
+  if (!partly_covers) return 1.0f;
+  float a = alpha;
+  if (textures && textures->base_color) a *= point.look_up(textures->base_color).w;
+  if (has_vertex_colors) a *= point.color().w;
+  return alpha_mode == AlphaMode::mask ? (a >= alpha_cutoff ? 1.0f : 0.0f) : std::clamp(a, 0.0f, 1.0f);
+}
 
 }  // namespace photopic

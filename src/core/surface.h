@@ -5,7 +5,7 @@
 
 #include "core/glass_albedo.h"
 #include "core/sample_spectrum.h"
-#include "core/scene.h"
+#include "core/triangle_point.h"
 
 namespace photopic {
 
@@ -13,7 +13,8 @@ namespace photopic {
 enum class BsdfKind : std::uint8_t { diffuse, opaque, conductor, layered, glass, spectral_glass };
 inline constexpr int kBsdfKinds = 6;
 
-/// A material compiled for shading; ShadingMaterial is what it comes to at a hit.
+/// A material compiled for shading; ShadingMaterial is what it comes to at a hit. What does not vary over the
+/// surface is told by flags, so that it costs nothing.
 struct Surface {
   explicit Surface(const Material& material);
 
@@ -23,8 +24,18 @@ struct Surface {
   bool emits;
   bool double_sided;
   bool solid;  ///< encloses a medium: transmission refracts
+  bool base_varies, emission_varies;
+  bool maps_normals;
+  bool partly_covers;  ///< rays may pass where alpha is below 1
 
   Spectrum base_color, specular_color;
+  Vec3f base_factor, specular_color_factor;
+  bool base_is_measured;
+  bool has_vertex_colors;
+  std::shared_ptr<const MaterialTextures> textures;  ///< or none
+  AlphaMode alpha_mode;
+  float alpha, alpha_cutoff;
+
   float metallic;
   float roughness;  ///< perceptual
   float transmission;
@@ -34,10 +45,21 @@ struct Surface {
   float attenuation_distance;
   std::shared_ptr<const GlassAlbedo> glass_albedo;       ///< null where no rough glass refracts
   std::shared_ptr<const MaterialExtensions> extensions;  ///< null where the material has none
+
   int emission_spectrum;
   float emission_luminance;
+  Vec3f emissive_factor;
+  bool emission_is_measured;
+  bool unlit;
 
   bool absorbs() const { return attenuation_distance > 0.0f; }
+
+  /// Linear sRGB, where base_varies or emission_varies.
+  Vec3f base_rgb(const TrianglePoint& point) const;
+  Vec3f emissive_rgb(const TrianglePoint& point) const;
+
+  /// The share of rays that meet the surface at a point; 1 unless partly_covers.
+  float coverage(const TrianglePoint& point) const;
 
   /// Beer's law: the transmittance over a distance [m].
   template <int N>
@@ -47,5 +69,10 @@ struct Surface {
     return t;
   }
 };
+
+/// Y of linear sRGB: IEC 61966-2-1.
+inline float luminance(Vec3f rgb) {
+  return 0.2126f * rgb.x + 0.7152f * rgb.y + 0.0722f * rgb.z;
+}
 
 }  // namespace photopic

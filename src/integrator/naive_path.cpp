@@ -59,11 +59,13 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
 
     // Light from the surface itself.
     const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[hit.shape].material];
+    const ShadingMaterial<N> material(surface, lambda, {scene_.scene.geometry, hit});
     const Vec3f normal = surface_point(scene_.scene.geometry, hit).geometric_normal;
     if (surface.emits && (surface.double_sided || dot(normal, ray.direction) < 0.0f)) {
       const auto& spectrum =
           scene_.scene.emission_spectra[static_cast<std::size_t>(surface.emission_spectrum)];
-      radiance += throughput * sample_emission<N>(spectrum, sampled) * surface.emission_luminance;
+      radiance += throughput * sample_emission<N>(spectrum, sampled) * material.emission_tint() *
+                  surface.emission_luminance;
     }
     if (depth == options_.max_depth) break;
 
@@ -72,7 +74,6 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     const Sample2d u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
     const Vec3f wo = -ray.direction;
     std::optional<Step<N>> next;
-    const ShadingMaterial<N> material(surface, lambda);
     switch (material.choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)))) {
       case BsdfKind::diffuse:
         next = step(Vertex<N, DiffuseBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);

@@ -116,8 +116,11 @@ void PathTracer<N>::absorb_and_emit() {
     float weight = surface.emission_luminance;
     if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
       weight *= power_heuristic(pdf, scene_.lights.pdf_area(material) * sqr(hit.t) / std::abs(cos_light));
-    batch_.radiance[slot] +=
-        batch_.throughput[slot] * batch_.emission_of(slot, surface.emission_spectrum) * weight;
+    SampledSpectrum<N> emitted = batch_.emission_of(slot, surface.emission_spectrum);
+    if (surface.emission_varies)
+      emitted *=
+          ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda, {geometry, hit}).emission_tint();
+    batch_.radiance[slot] += batch_.throughput[slot] * emitted * weight;
   }
 }
 
@@ -128,7 +131,8 @@ void PathTracer<N>::sort_by_bsdf(int depth) {
     const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[batch_.hits[slot].shape].material];
     BsdfKind kind = surface.opaque_kind;
     if (surface.transmits)
-      kind = ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda)
+      kind = ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda,
+                                {scene_.scene.geometry, batch_.hits[slot]})
                  .choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
     batch_.by_kind[static_cast<std::size_t>(kind)].push_back(slot);
   }
@@ -169,6 +173,11 @@ void PathTracer<N>::sample_light(std::uint32_t slot, int depth, const Vertex<N, 
   SampledSpectrum<N> arriving = batch_.throughput[slot] * value.f_cos *
                                 batch_.emission_of(slot, lamp.emission_spectrum) *
                                 (lamp.emission_luminance * power_heuristic(pdf, value.pdf) / pdf);
+  if (lamp.emission_varies || lamp.partly_covers) {
+    const TrianglePoint point(scene_.scene.geometry, light.triangle, light.uv.x, light.uv.y);
+    arriving *= ShadingMaterial<N>(lamp, batch_.wavelengths[slot].lambda, point).emission_tint() *
+                lamp.coverage(point);
+  }
   if (arriving.is_black()) return;
   if (const int medium = vertex.medium_towards(wi, batch_.medium[slot]); medium >= 0)
     arriving *= scene_.surfaces[static_cast<std::size_t>(medium)].transmittance(

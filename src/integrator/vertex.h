@@ -1,10 +1,18 @@
 #pragma once
 
 #include "core/bsdf.h"
+#include "core/normal_map.h"
 #include "core/prepared_scene.h"
 #include "core/surface_point.h"
 
 namespace photopic {
+
+/// A hit with its normal map applied.
+inline SurfacePoint mapped_point(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface) {
+  SurfacePoint point = surface_point(geometry, hit);
+  if (surface.maps_normals) point.shading_normal = mapped_normal(geometry, hit, point, wo, *surface.textures);
+  return point;
+}
 
 /// A vertex of a path: a hit with its frame and its BSDF at the path's wavelengths. Directions are in world
 /// space.
@@ -15,10 +23,17 @@ struct Vertex {
          SampledSpectrum<N> throughput)
       : material(scene.scene.geometry.shapes[hit.shape].material),
         surface(scene.surfaces[material]),
-        point(surface_point(scene.scene.geometry, hit)),
-        frame(shading_frame(point, wo_world, Bsdf::kTwoSided)),
+        point(mapped_point(scene.scene.geometry, hit, wo_world, surface)),
+        frame(make_frame(scene.scene.geometry, hit, wo_world)),
         wo(frame.to_local(wo_world)),
-        bsdf(make_bsdf(ShadingMaterial<N>(surface, lambda), wo, throughput)) {}
+        bsdf(make_bsdf(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}), wo, throughput)) {}
+
+  Frame make_frame(const Geometry& geometry, const Hit& hit, Vec3f wo_world) const {
+    const Frame any = shading_frame(point, wo_world, Bsdf::kTwoSided);
+    if constexpr (requires { Bsdf::kHasGrain; })
+      if (surface.extensions->anisotropy > 0.0f) return grain_frame(geometry, hit, point, any);
+    return any;
+  }
 
   static Bsdf make_bsdf(const ShadingMaterial<N>& material, Vec3f wo, SampledSpectrum<N> throughput) {
     if constexpr (std::is_constructible_v<Bsdf, ShadingMaterial<N>, Vec3f, SampledSpectrum<N>>)

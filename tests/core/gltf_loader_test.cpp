@@ -247,7 +247,7 @@ TEST_F(GltfTest, MetalsAndGlassesByExtras) {
   EXPECT_FALSE(glass.thin_walled);
   EXPECT_NEAR(refractive_index(scene.materials.at(2).extensions.dispersion.value(), 500.0), 1.516, 1e-9);
   for (const char* wrong :
-       {R"({"conductor": "gold"})", R"({"conductor": 1})", R"({"glass": "K9"})", R"({"glass": {}})",
+       {R"({"conductor": "gold"})", R"({"conductor": 1})", R"({"glass": "K9"})", R"({"glass": {"x": 1}})",
         R"({"glass": {"cauchy": [1.5]}})", R"({"glass": {"cauchy": [0.5, "x"]}})"}) {
     file.materials = fmt::format("[{{\"extras\": {}}}]", wrong);
     EXPECT_NE(refusal(file.str()).find("#/materials/0/extras/"), std::string::npos) << wrong;

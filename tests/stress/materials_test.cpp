@@ -16,6 +16,12 @@ SceneBuilder furnace(const Material& m) {
   return b;
 }
 
+/// Rough glass in a furnace of 3 cd/m²; noisy where the index is high, as radiance grows with its square.
+void expect_clear(const Film& film, const std::string& what) {
+  const Estimate e = luminance(film);
+  EXPECT_NEAR(e.mean, 3.0, 4.5 * e.error + 0.02) << what << ", error " << e.error;
+}
+
 /// White and clear things stay unseen in a furnace through the whole range of roughness, the change to a
 /// mirror included.
 TEST(Materials, RoughnessInFineSteps) {
@@ -28,8 +34,8 @@ TEST(Materials, RoughnessInFineSteps) {
                      "plastic " + std::to_string(roughness), 0.006);
     for (bool thin : {false, true}) {
       const Material m = thin ? thin_glass(1.5f, roughness) : solid_glass(1.5f, roughness);
-      expect_luminance(render_finite(furnace(m), 60, 60), 3.0,
-                       (thin ? "pane " : "glass ") + std::to_string(roughness), 0.006);
+      expect_clear(render_finite(furnace(m), 60, 200),
+                   (thin ? "pane " : "glass ") + std::to_string(roughness));
     }
   }
 }
@@ -43,8 +49,8 @@ TEST(Materials, IndicesOfRefraction) {
     expect_luminance(render_finite(furnace(plastic(ConstantSpectrum{1.0}, 0.5f, ior)), 60), 3.0,
                      "plastic " + std::to_string(ior), 0.006);
     for (float roughness : {0.04f, 0.2f, 1.0f}) {
-      expect_luminance(render_finite(furnace(solid_glass(ior, roughness)), 60, 200), 3.0,
-                       "rough glass " + std::to_string(ior) + " " + std::to_string(roughness), 0.006);
+      expect_clear(render_finite(furnace(solid_glass(ior, roughness)), 60, 200),
+                   "rough glass " + std::to_string(ior) + " " + std::to_string(roughness));
     }
   }
 }

@@ -36,10 +36,10 @@ class UniqueKeys {
       keys_[level + 1].clear();
     }
     if (event == Json::parse_event_t::key && !keys_[level].insert(parsed.get<std::string>()).second)
-      throw InputError(
-          file_.path.string(),
-          fmt::format("the key \"{}\" stands twice in one object", one_line(parsed.get<std::string>().substr(0, 60))),
-          "take one of them out");
+      throw InputError(file_.path.string(),
+                       fmt::format("the key \"{}\" stands twice in one object",
+                                   one_line(parsed.get<std::string>().substr(0, 60))),
+                       "take one of them out");
     return true;
   }
 
@@ -81,6 +81,18 @@ void load_buffers(GltfDocument& document, const Json& json) {
   }
 }
 
+std::vector<GltfImage> list_images(const Json& json) {
+  std::vector<GltfImage> images;
+  if (!json.contains("images")) return images;
+  const auto text = [](const Json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  for (const Json& image : json.at("images"))
+    images.push_back({text(image, "uri"), image.value("bufferView", -1), text(image, "name")});
+  return images;
+}
+
 /// Every local file that the document names, whether it is read or not.
 std::vector<std::filesystem::path> named_files(const GltfDocument& document, const Json& json) {
   std::vector<std::filesystem::path> files;
@@ -108,8 +120,7 @@ std::vector<std::filesystem::path> named_files(const GltfDocument& document, con
 /// ignores, and refuses indices without a bufferView, which are valid when sparse: an extra, last view stands
 /// for "none" (the accessors' reader knows).
 std::string text_for_tinygltf(Json& json) {
-  for (const char* unused : {"buffers", "images", "textures", "samplers", "animations", "skins"})
-    json.erase(unused);
+  for (const char* unused : {"buffers", "images", "animations", "skins"}) json.erase(unused);
   if (json.contains("cameras")) {
     for (Json& camera : json["cameras"]) {
       if (camera.contains("perspective")) camera["perspective"].emplace("znear", 0.01);
@@ -136,6 +147,7 @@ GltfDocument read_gltf_document(const std::filesystem::path& path) {
   Json json = parse_json(document.file);
   check_gltf(json, path);
   load_buffers(document, json);
+  document.images = list_images(json);
   document.named_files = named_files(document, json);
   if (json.contains("animations")) document.animation_count = json.at("animations").size();
 

@@ -15,8 +15,16 @@
 
 namespace photopic {
 
+/// An element of "images".
+struct GltfImage {
+  std::string uri;       ///< empty where a bufferView holds the file
+  int buffer_view = -1;  ///< or −1
+  std::string name;
+};
+
 /// A glTF file whose structure has been checked: every index in `model` is valid, every accessor lies inside
-/// its view and every view inside its buffer. (`model.buffers`, images and animations are left empty.)
+/// its view and every view inside its buffer. (`model.buffers`, `model.images` and animations are left
+/// empty.)
 struct GltfDocument {
   GltfFile file;
   tinygltf::Model model;
@@ -27,6 +35,8 @@ struct GltfDocument {
       named_files;  ///< by buffers, images and extras' spectra; some may not exist
 
   std::size_t animation_count = 0;
+
+  std::vector<GltfImage> images;
 
   std::filesystem::path folder() const { return file.path.parent_path(); }
 

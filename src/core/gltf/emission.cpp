@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "core/gltf/material.h"
@@ -31,17 +32,28 @@ TabulatedSpectrum unit_luminance(const Spectrum& spectrum, const std::string& wh
                    "choose another spectrum");
 }
 
-Rgb emissive_factor(const tinygltf::Material& material) {
-  if (material.emissiveFactor.size() != 3) return {};
-  return {material.emissiveFactor[0], material.emissiveFactor[1], material.emissiveFactor[2]};
+bool is_unlit(const tinygltf::Material& material) {
+  return material.extensions.contains("KHR_materials_unlit");
 }
 
-/// [cd/m²]
-double emitted_luminance(const tinygltf::Material& material) {
+/// An unlit surface emits its base colour.
+Rgb emissive_factor(const tinygltf::Material& material) {
+  const auto& factor =
+      is_unlit(material) ? material.pbrMetallicRoughness.baseColorFactor : material.emissiveFactor;
+  if (factor.size() < 3) return {};
+  return {factor[0], factor[1], factor[2]};
+}
+
+/// Of white [cd/m²].
+double emissive_strength(const tinygltf::Material& material) {
   const auto extension = material.extensions.find("KHR_materials_emissive_strength");
   const bool given = extension != material.extensions.end() && extension->second.Has("emissiveStrength");
-  const double strength = given ? extension->second.Get("emissiveStrength").GetNumberAsDouble() : 1.0;
-  return linear_srgb_to_xyz(emissive_factor(material)).y * strength;
+  return given && !is_unlit(material) ? extension->second.Get("emissiveStrength").GetNumberAsDouble() : 1.0;
+}
+
+/// [cd/m²], before textures
+double emitted_luminance(const tinygltf::Material& material) {
+  return linear_srgb_to_xyz(emissive_factor(material)).y * emissive_strength(material);
 }
 
 NamedEmission emission_from_rgb(const Rgb& color, const std::string& where) {
@@ -63,18 +75,41 @@ const EmitterOverride* find_override(const std::vector<EmitterOverride>& overrid
   return found;
 }
 
-NamedEmission emission_of(const GltfDocument& document, std::size_t index,
-                          const std::vector<EmitterOverride>& overrides) {
+/// What an override or `extras` say.
+std::optional<NamedEmission> given_emission(const GltfDocument& document, std::size_t index,
+                                            const std::vector<EmitterOverride>& overrides) {
   const tinygltf::Material& material = document.model.materials[index];
+  if (is_unlit(material)) return std::nullopt;
   if (const EmitterOverride* given = find_override(overrides, material.name)) {
-    return {unit_luminance(parse_spectrum(given->text, {}, Beyond::zero), "--emitter " + given->text),
-            given->text};
+    return NamedEmission{
+        unit_luminance(parse_spectrum(given->text, {}, Beyond::zero), "--emitter " + given->text),
+        given->text};
   }
-  const std::string where = fmt::format("{}#/materials/{}", document.file.path.string(), index);
   if (const auto given = extras_spectrum(document, index, "emission_spectrum", Beyond::zero)) {
-    return {unit_luminance(given->spectrum, where + "/extras/emission_spectrum"), given->name};
+    const std::string where =
+        fmt::format("{}#/materials/{}/extras/emission_spectrum", document.file.path.string(), index);
+    return NamedEmission{unit_luminance(given->spectrum, where), given->name};
   }
-  return emission_from_rgb(emissive_factor(material), where + "/emissiveFactor");
+  return std::nullopt;
+}
+
+/// Where a texture tints the emission, the material's colour does so with it, on white.
+NamedEmission set_emission(const GltfDocument& document, std::size_t index,
+                           const std::vector<EmitterOverride>& overrides, Material& material) {
+  const tinygltf::Material& source = document.model.materials[index];
+  const Rgb factor = emissive_factor(source);
+  const bool varies =
+      (material.textures && material.textures->emissive) || (material.unlit && material.has_vertex_colors);
+  material.emissive_factor = to_float({factor.r, factor.g, factor.b});
+  material.emission_luminance =
+      static_cast<float>(varies ? emissive_strength(source) : emitted_luminance(source));
+  if (auto given = given_emission(document, index, overrides)) {
+    material.emission_is_measured = true;
+    return std::move(*given);
+  }
+  const std::string where =
+      fmt::format("{}#/materials/{}/emissiveFactor", document.file.path.string(), index);
+  return emission_from_rgb(varies ? Rgb{1, 1, 1} : factor, where);
 }
 
 /// The spectrum's index; equal ones are kept once.
@@ -110,14 +145,16 @@ std::vector<std::size_t> list_emitters(const GltfDocument& document, const Scene
 
 void check_overrides(const GltfDocument& document, const std::vector<EmitterOverride>& overrides,
                      const std::vector<std::size_t>& emitters) {
+  std::vector<std::size_t> lamps = emitters;
+  std::erase_if(lamps, [&](std::size_t index) { return is_unlit(document.model.materials[index]); });
   std::string names;
-  for (const std::size_t index : emitters)
+  for (const std::size_t index : lamps)
     names += (names.empty() ? "\"" : ", \"") + document.model.materials[index].name + "\"";
   for (const EmitterOverride& given : overrides) {
     const auto matches = [&](std::size_t index) {
       return document.model.materials[index].name == given.name;
     };
-    if (given.name.empty() || std::ranges::any_of(emitters, matches)) continue;
+    if (given.name.empty() || std::ranges::any_of(lamps, matches)) continue;
     throw InputError(
         "--emitter " + given.name + "=" + given.text, "no emissive material has that name",
         names.empty() ? document.file.path.string() + " has no emissive material" : "choose one of " + names);
@@ -132,10 +169,9 @@ void load_gltf_emission(const GltfDocument& document, const std::vector<EmitterO
   check_overrides(document, overrides, emitters);
   std::vector<std::string> digests;
   for (const std::size_t index : emitters) {
-    scene.materials[index].emission_spectrum =
-        add_emission(emission_of(document, index, overrides), digests, scene);
-    scene.materials[index].emission_luminance =
-        static_cast<float>(emitted_luminance(document.model.materials[index]));
+    Material& material = scene.materials[index];
+    material.emission_spectrum =
+        add_emission(set_emission(document, index, overrides, material), digests, scene);
   }
 }
 

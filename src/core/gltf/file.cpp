@@ -175,7 +175,7 @@ std::filesystem::path gltf_uri_file(const std::string& uri, const std::filesyste
   return as_written ? literal : decoded;
 }
 
-std::vector<std::byte> read_gltf_uri(const std::string& uri, std::size_t byte_length,
+std::vector<std::byte> read_gltf_uri(const std::string& uri, std::optional<std::size_t> byte_length,
                                      const std::filesystem::path& folder, const std::string& where) {
   if (uri.starts_with("data:")) {
     const std::size_t comma = uri.find(',');
@@ -183,15 +183,17 @@ std::vector<std::byte> read_gltf_uri(const std::string& uri, std::size_t byte_le
       throw InputError(where, "the data URI is not in base64", kReexport);
     }
     std::vector<std::byte> bytes = decode_base64(std::string_view(uri).substr(comma + 1), where);
-    if (bytes.size() >= byte_length) return bytes;
-    throw InputError(where,
-                     fmt::format("the data URI holds {} bytes, byteLength is {}", bytes.size(), byte_length),
-                     kReexport);
+    if (bytes.size() >= byte_length.value_or(1)) return bytes;
+    throw InputError(
+        where,
+        fmt::format("the data URI holds {} bytes, byteLength is {}", bytes.size(), byte_length.value_or(1)),
+        kReexport);
   }
   const std::filesystem::path file = gltf_uri_file(uri, folder);
   if (file.empty())
     throw InputError(where, "the uri is not a local file", "download it beside the glTF file");
-  const std::vector<char> bytes = read_bytes(file, where, byte_length, byte_length);
+  const std::vector<char> bytes =
+      read_bytes(file, where, byte_length.value_or(1), byte_length.value_or(SIZE_MAX));
   const auto view = std::as_bytes(std::span(bytes));
   return {view.begin(), view.end()};
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,11 +27,12 @@ GltfFile read_gltf_file(const std::filesystem::path& path);
 /// URIs and what is not local.
 std::filesystem::path gltf_uri_file(const std::string& uri, const std::filesystem::path& folder);
 
-/// The bytes of a buffer's `uri`, at least `byte_length` of them: a base64 data URI (RFC 2397) or a file
-/// as gltf_uri_file finds it.
-/// @param where names the buffer in messages
+/// The bytes of a buffer's or an image's `uri`: a base64 data URI (RFC 2397) or a file as gltf_uri_file finds
+/// it.
+/// @param byte_length at least so many; nothing: all there are
+/// @param where names the buffer or the image in messages
 /// @throws InputError
-std::vector<std::byte> read_gltf_uri(const std::string& uri, std::size_t byte_length,
+std::vector<std::byte> read_gltf_uri(const std::string& uri, std::optional<std::size_t> byte_length,
                                      const std::filesystem::path& folder, const std::string& where);
 
 }  // namespace photopic

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/gltf/material_extensions.h"
+#include "core/gltf/texture.h"
 #include "error.h"
 #include "spectral/rgb_upsampling.h"
 #include "spectral/spectrum_file.h"
@@ -43,13 +44,50 @@ void check_reflectance(const GltfDocument& document, const std::string& pointer,
     std::ranges::for_each(table->lambda(), check);
 }
 
-Spectrum base_color(const GltfDocument& document, std::size_t index) {
-  const auto given = extras_spectrum(document, index, "reflectance_spectrum", Beyond::end_value);
+void set_base_color(const GltfDocument& document, std::size_t index, Material& material) {
   const auto& factor = document.model.materials[index].pbrMetallicRoughness.baseColorFactor;
-  if (!given) return reflectance_from_rgb({factor[0], factor[1], factor[2]});
-  check_reflectance(document, fmt::format("/materials/{}/extras/reflectance_spectrum", index),
-                    given->spectrum);
-  return given->spectrum;
+  material.alpha = static_cast<float>(factor[3]);
+  if (const auto given = extras_spectrum(document, index, "reflectance_spectrum", Beyond::end_value)) {
+    check_reflectance(document, fmt::format("/materials/{}/extras/reflectance_spectrum", index),
+                      given->spectrum);
+    material.base_color = given->spectrum;
+    material.base_is_measured = true;
+  } else {
+    material.base_color = reflectance_from_rgb({factor[0], factor[1], factor[2]});
+    material.base_factor = to_float({factor[0], factor[1], factor[2]});
+  }
+}
+
+/// What textures and vertex colours need of the geometry.
+void set_attributes(const GltfDocument& document, std::size_t index, Material& material) {
+  for (const GltfTextureUse& use : gltf_texture_uses(document, index)) {
+    material.uv_sets = static_cast<std::uint8_t>(material.uv_sets | 1u << use.uv_set);
+    if (use.slot == &MaterialTextures::normal) material.needs_tangents = true;
+  }
+}
+
+AlphaMode alpha_mode(const std::string& name) {
+  return name == "MASK" ? AlphaMode::mask : name == "BLEND" ? AlphaMode::blend : AlphaMode::opaque;
+}
+
+/// Shown as it is: a lamp of its base colour, seen from both sides, that reflects nothing.
+void make_unlit(Material& material) {
+  material.unlit = true;
+  material.extensions = {};
+  material.base_color = ConstantSpectrum{0.0};
+  material.metallic = material.specular = material.transmission = 0.0f;
+  material.double_sided = true;
+}
+
+/// COLOR_0 is a mesh's, but whether a material varies must be known before it is shaded.
+void find_vertex_colors(const GltfDocument& document, std::vector<Material>& materials) {
+  for (const tinygltf::Mesh& mesh : document.model.meshes)
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      if (!primitive.attributes.contains("COLOR_0")) continue;
+      const bool given = primitive.material >= 0;
+      materials[given ? static_cast<std::size_t>(primitive.material) : materials.size() - 1]
+          .has_vertex_colors = true;
+    }
 }
 
 /// A misspelt key would make a wrong picture without a word.
@@ -72,7 +110,10 @@ Material load_material(const GltfDocument& document, std::size_t index) {
 
   Material material;
   material.name = source.name;
-  material.base_color = base_color(document, index);
+  set_base_color(document, index, material);
+  set_attributes(document, index, material);
+  material.alpha_mode = alpha_mode(source.alphaMode);
+  material.alpha_cutoff = static_cast<float>(source.alphaCutoff);
   material.metallic = static_cast<float>(source.pbrMetallicRoughness.metallicFactor);
   material.roughness = static_cast<float>(source.pbrMetallicRoughness.roughnessFactor);
   material.ior = ior.number("ior", 1.5);
@@ -80,7 +121,9 @@ Material load_material(const GltfDocument& document, std::size_t index) {
     document.fail(pointer + "/extensions/KHR_materials_ior/ior",
                   fmt::format("{} is neither 0 nor at least 1", material.ior), "glass is 1.5, water 1.33");
   material.specular = specular.number("specularFactor", 1.0);
-  material.specular_color = reflectance_from_rgb(specular.color("specularColorFactor"));
+  const Rgb color = specular.color("specularColorFactor");
+  material.specular_color = reflectance_from_rgb(color);
+  material.specular_color_factor = to_float({color.r, color.g, color.b});
   material.transmission = transmission.number("transmissionFactor", 0.0);
   material.thin_walled = !(volume.number("thicknessFactor", 0.0) > 0.0f);
   material.attenuation_color = reflectance_from_rgb(volume.color("attenuationColor"));
@@ -88,37 +131,19 @@ Material load_material(const GltfDocument& document, std::size_t index) {
   if (!std::isfinite(material.attenuation_distance)) material.attenuation_distance = 0.0f;
   load_material_extensions(document, index, material);
   material.double_sided = source.doubleSided;
+  if (source.extensions.contains("KHR_materials_unlit")) make_unlit(material);
   return material;
 }
 
-bool has_textures(const tinygltf::Material& m) {
-  const bool core = m.pbrMetallicRoughness.baseColorTexture.index >= 0 ||
-                    m.pbrMetallicRoughness.metallicRoughnessTexture.index >= 0 ||
-                    m.normalTexture.index >= 0 || m.occlusionTexture.index >= 0 ||
-                    m.emissiveTexture.index >= 0;
-  const auto extension_has = [](const auto& extension) {
-    const auto is_texture = [](const std::string& key) { return key.ends_with("Texture"); };
-    return extension.second.IsObject() && std::ranges::any_of(extension.second.Keys(), is_texture);
-  };
-  return core || std::ranges::any_of(m.extensions, extension_has);
-}
-
 void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& warnings) {
-  std::size_t textured = 0, transparent = 0, unlit = 0, bright_specular = 0;
+  std::size_t bright_specular = 0;
   for (const tinygltf::Material& m : document.model.materials) {
-    if (has_textures(m)) ++textured;
-    if (m.alphaMode == "MASK" || m.alphaMode == "BLEND") ++transparent;
-    if (m.extensions.contains("KHR_materials_unlit")) ++unlit;
     const Rgb color = Extension(m, "KHR_materials_specular").color("specularColorFactor");
     if (std::max({color.r, color.g, color.b}) > 1.0) ++bright_specular;
   }
-  const auto add = [&](std::size_t count, const char* text) {
-    if (count > 0) warnings.push_back(fmt::format("{}: {}", text, count));
-  };
-  add(textured, "materials with textures, rendered by their factors alone");
-  add(transparent, "materials with an alphaMode, rendered opaque");
-  add(unlit, "materials that are unlit, rendered lit");
-  add(bright_specular, "materials with a specularColorFactor above 1, cut to 1");
+  if (bright_specular > 0)
+    warnings.push_back(
+        fmt::format("materials with a specularColorFactor above 1, cut to 1: {}", bright_specular));
 }
 
 }  // namespace
@@ -156,6 +181,7 @@ void load_gltf_materials(const GltfDocument& document, Scene& scene) {
   scene.materials.reserve(count + 1);
   for (std::size_t i = 0; i < count; ++i) scene.materials.push_back(load_material(document, i));
   scene.materials.push_back(Material{.name = "default"});
+  find_vertex_colors(document, scene.materials);
   warn_of_ignored(document, scene.warnings);
 }
 

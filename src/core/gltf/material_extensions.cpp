@@ -95,7 +95,10 @@ void load_material_extensions(const GltfDocument& document, std::size_t index, M
   load_dispersion(source, material);
   load_conductor(document, index, material);
   load_glass(document, index, material);
-  if (material.extensions.anisotropy > 0.0f) material.needs_tangents = true;
+  if (material.extensions.anisotropy > 0.0f) {
+    material.needs_tangents = true;
+    material.uv_sets |= 1u;  // the grain follows TEXCOORD_0 where there are no tangents
+  }
 }
 
 }  // namespace photopic

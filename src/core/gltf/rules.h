@@ -157,8 +157,10 @@ inline constexpr auto kSupported = std::to_array<std::string_view>({
     "KHR_materials_sheen",
     "KHR_materials_specular",
     "KHR_materials_transmission",
+    "KHR_materials_unlit",
     "KHR_materials_volume",
     "KHR_mesh_quantization",
+    "KHR_texture_transform",
     "KHR_materials_variants",
     "KHR_xmp_json_ld",
     "KHR_animation_pointer",
@@ -166,8 +168,6 @@ inline constexpr auto kSupported = std::to_array<std::string_view>({
 /// May be required too, but the loader warns of what it leaves out.
 inline constexpr auto kReported = std::to_array<std::string_view>({
     "KHR_lights_punctual",
-    "KHR_materials_unlit",
-    "KHR_texture_transform",
 });
 
 }  // namespace photopic::gltf_rules

@@ -1,0 +1,162 @@
+#include "core/gltf/texture.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "core/gltf/image.h"
+
+namespace photopic {
+namespace {
+
+/// A textureInfo object, whether tinygltf knows its place or keeps it as an extension's value.
+struct Info {
+  int index = -1, tex_coord = 0;
+  const tinygltf::Value* transform = nullptr;  ///< KHR_texture_transform
+
+  template <typename T>
+  static Info of(const T& known) {
+    const auto found = known.extensions.find("KHR_texture_transform");
+    return {known.index, known.texCoord, found == known.extensions.end() ? nullptr : &found->second};
+  }
+  static Info of_value(const tinygltf::Value& value) {
+    Info info{integer(value, "index", -1), integer(value, "texCoord", 0), nullptr};
+    if (value.Has("extensions") && value.Get("extensions").Has("KHR_texture_transform"))
+      info.transform = &value.Get("extensions").Get("KHR_texture_transform");
+    return info;
+  }
+  static int integer(const tinygltf::Value& value, const char* key, int otherwise) {
+    return value.Has(key) && value.Get(key).IsNumber() ? value.Get(key).GetNumberAsInt() : otherwise;
+  }
+};
+
+/// Translation · rotation · scale; a positive rotation turns the coordinates counter-clockwise as the image
+/// is seen, v pointing down.
+UvTransform uv_transform(const tinygltf::Value* value) {
+  if (!value) return {};
+  const auto number = [&](const char* key, int i, double otherwise) {
+    if (!value->Has(key)) return otherwise;
+    const tinygltf::Value& member = value->Get(key);
+    return member.IsArray() ? member.Get(i).GetNumberAsDouble() : member.GetNumberAsDouble();
+  };
+  const double c = std::cos(number("rotation", 0, 0.0)), s = std::sin(number("rotation", 0, 0.0));
+  const double x = number("scale", 0, 1.0), y = number("scale", 1, 1.0);
+  return {to_float({c * x, s * y, number("offset", 0, 0.0)}),
+          to_float({-s * x, c * y, number("offset", 1, 0.0)})};
+}
+
+/// Collects a material's uses.
+class Uses {
+ public:
+  Uses(const GltfDocument& document, std::size_t material)
+      : document_(document),
+        source_(document.model.materials[material]),
+        pointer_(fmt::format("/materials/{}", material)) {}
+
+  template <typename T>
+  void add(Texture MaterialTextures::*slot, const T& info, bool srgb, const char* place) {
+    add_info(slot, Info::of(info), srgb, place);
+  }
+  void add_of_extension(Texture MaterialTextures::*slot, const char* extension, const char* key, bool srgb) {
+    const auto found = source_.extensions.find(extension);
+    if (found == source_.extensions.end() || !found->second.Has(key)) return;
+    add_info(slot, Info::of_value(found->second.Get(key)), srgb,
+             fmt::format("extensions/{}/{}", extension, key));
+  }
+
+  std::vector<GltfTextureUse> list;
+
+ private:
+  void add_info(Texture MaterialTextures::*slot, const Info& info, bool srgb, const std::string& place) {
+    if (info.index < 0) return;
+    const std::string pointer = pointer_ + "/" + place;
+    const int set =
+        info.transform ? Info::integer(*info.transform, "texCoord", info.tex_coord) : info.tex_coord;
+    if (set < 0 || set >= kUvSets)
+      document_.fail(pointer, fmt::format("TEXCOORD_{} is not read", set), "use TEXCOORD_0 to TEXCOORD_3");
+    list.push_back(
+        {slot, srgb, pointer, info.index, static_cast<std::uint8_t>(set), uv_transform(info.transform)});
+  }
+
+  const GltfDocument& document_;
+  const tinygltf::Material& source_;
+  std::string pointer_;
+};
+
+int image_of(const GltfDocument& document, int texture) {
+  const tinygltf::Texture& source = document.model.textures[static_cast<std::size_t>(texture)];
+  if (source.source >= 0) return source.source;
+  const std::string pointer = fmt::format("/textures/{}", texture);
+  for (const char* extension :
+       {"EXT_texture_webp", "KHR_texture_basisu", "EXT_texture_avif", "MSFT_texture_dds"})
+    if (source.extensions.contains(extension))
+      document.fail(pointer, fmt::format("it has no image but that of {}, which cannot be read", extension),
+                    "export PNG or JPEG images");
+  document.fail(pointer, "it names no image", "give it a \"source\"");
+}
+
+Wrap wrap_of(int code) {
+  if (code == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE) return Wrap::clamp;
+  return code == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirror : Wrap::repeat;
+}
+
+Texture make_texture(const GltfDocument& document, const GltfTextureUse& use,
+                     std::shared_ptr<const TextureImage> image) {
+  Texture texture{
+      .image = std::move(image), .uv_set = use.uv_set, .transform = use.transform, .srgb = use.srgb};
+  const int index = document.model.textures[static_cast<std::size_t>(use.texture)].sampler;
+  if (index < 0) return texture;
+  const tinygltf::Sampler& sampler = document.model.samplers[static_cast<std::size_t>(index)];
+  texture.wrap_u = wrap_of(sampler.wrapS);
+  texture.wrap_v = wrap_of(sampler.wrapT);
+  texture.nearest = sampler.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+  return texture;
+}
+
+}  // namespace
+
+std::vector<GltfTextureUse> gltf_texture_uses(const GltfDocument& document, std::size_t material) {
+  using M = MaterialTextures;
+  const tinygltf::Material& m = document.model.materials[material];
+  const auto& base = m.pbrMetallicRoughness.baseColorTexture;
+  Uses uses(document, material);
+  uses.add(&M::base_color, base, true, "pbrMetallicRoughness/baseColorTexture");
+  if (m.extensions.contains("KHR_materials_unlit")) {
+    uses.add(&M::emissive, base, true, "pbrMetallicRoughness/baseColorTexture");
+    return uses.list;
+  }
+  uses.add(&M::metallic_roughness, m.pbrMetallicRoughness.metallicRoughnessTexture, false,
+           "pbrMetallicRoughness/metallicRoughnessTexture");
+  uses.add(&M::normal, m.normalTexture, false, "normalTexture");
+  uses.add(&M::emissive, m.emissiveTexture, true, "emissiveTexture");
+  uses.add_of_extension(&M::transmission, "KHR_materials_transmission", "transmissionTexture", false);
+  uses.add_of_extension(&M::specular, "KHR_materials_specular", "specularTexture", false);
+  uses.add_of_extension(&M::specular_color, "KHR_materials_specular", "specularColorTexture", true);
+  return uses.list;
+}
+
+void load_gltf_textures(const GltfDocument& document, Scene& scene) {
+  std::set<std::size_t> used_materials;
+  for (const Shape& shape : scene.geometry.shapes)
+    if (shape.material < document.model.materials.size()) used_materials.insert(shape.material);
+
+  std::set<int> used_images;
+  for (const std::size_t material : used_materials)
+    for (const GltfTextureUse& use : gltf_texture_uses(document, material))
+      used_images.insert(image_of(document, use.texture));
+  const auto images = decode_gltf_images(document, used_images);
+
+  for (const std::size_t material : used_materials) {
+    const auto uses = gltf_texture_uses(document, material);
+    if (uses.empty()) continue;
+    auto textures = std::make_shared<MaterialTextures>();
+    for (const GltfTextureUse& use : uses) {
+      const auto image = static_cast<std::size_t>(image_of(document, use.texture));
+      (*textures).*use.slot = make_texture(document, use, images[image]);
+    }
+    textures->normal_scale = static_cast<float>(document.model.materials[material].normalTexture.scale);
+    scene.materials[material].textures = std::move(textures);
+  }
+}
+
+}  // namespace photopic
