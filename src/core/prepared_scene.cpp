@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/fresnel_albedo.h"
 #include "core/ggx_albedo.h"
+#include "core/sheen.h"
 #include "spectral/lamp_set.h"
 
 namespace photopic {
@@ -15,6 +17,12 @@ PreparedScene::PreparedScene(Scene source)
   // What is made when first asked for is made now, on nobody's clock.
   const auto is_rough = [](const Surface& s) { return s.opaque_kind != BsdfKind::diffuse || s.transmits; };
   if (std::ranges::any_of(surfaces, is_rough)) GgxAlbedo::table();
+  for (const Surface& s : surfaces) {
+    if (!s.extensions) continue;
+    FresnelAlbedo::isotropic();
+    if (s.extensions->anisotropy > 0.0f) FresnelAlbedo::anisotropic();
+    if (s.extensions->has_sheen()) SheenAlbedo::table();
+  }
 }
 
 TabulatedSpectrum scene_emission(const PreparedScene& scene) {

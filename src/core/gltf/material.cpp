@@ -136,14 +136,20 @@ Material load_material(const GltfDocument& document, std::size_t index) {
 }
 
 void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& warnings) {
-  std::size_t bright_specular = 0;
+  std::size_t bright_specular = 0, unread = 0;
   for (const tinygltf::Material& m : document.model.materials) {
     const Rgb color = Extension(m, "KHR_materials_specular").color("specularColorFactor");
     if (std::max({color.r, color.g, color.b}) > 1.0) ++bright_specular;
+    if (has_unread_textures(m)) ++unread;
   }
-  if (bright_specular > 0)
-    warnings.push_back(
-        fmt::format("materials with a specularColorFactor above 1, cut to 1: {}", bright_specular));
+  const auto add = [&](std::size_t count, const char* text) {
+    if (count > 0) warnings.push_back(fmt::format("{}: {}", text, count));
+  };
+  add(bright_specular, "materials with a specularColorFactor above 1, cut to 1");
+  add(unread,
+      "materials with textures of clearcoat, sheen, anisotropy, iridescence or diffuse transmission, "
+      "rendered by "
+      "these extensions' factors alone");
 }
 
 }  // namespace

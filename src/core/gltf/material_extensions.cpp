@@ -3,10 +3,17 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "core/gltf/material.h"
 
 namespace photopic {
 namespace {
+
+/// Extensions that are rendered by their factors alone.
+constexpr const char* kWithoutTextures[] = {"KHR_materials_anisotropy", "KHR_materials_clearcoat",
+                                            "KHR_materials_diffuse_transmission", "KHR_materials_iridescence",
+                                            "KHR_materials_sheen"};
 
 std::string extras_pointer(std::size_t index, const char* key) {
   return fmt::format("/materials/{}/extras/{}", index, key);
@@ -87,6 +94,15 @@ void load_surface(const tinygltf::Material& source, MaterialExtensions& x) {
 }
 
 }  // namespace
+
+bool has_unread_textures(const tinygltf::Material& source) {
+  const auto is_texture = [](const std::string& key) { return key.ends_with("Texture"); };
+  return std::ranges::any_of(kWithoutTextures, [&](const char* name) {
+    const auto found = source.extensions.find(name);
+    return found != source.extensions.end() && found->second.IsObject() &&
+           std::ranges::any_of(found->second.Keys(), is_texture);
+  });
+}
 
 void load_material_extensions(const GltfDocument& document, std::size_t index, Material& material) {
   const tinygltf::Material& source = document.model.materials[index];
