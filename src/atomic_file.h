@@ -10,8 +10,8 @@
 
 namespace photopic {
 
-/// Where a path leads that may be a symbolic link, also one to what does not exist yet (the standard library's
-/// canonical() wants it to).
+/// Where a path leads that may be a symbolic link, also one to what does not exist yet (the standard
+/// library's canonical() wants it to).
 inline std::filesystem::path follow_links(std::filesystem::path file) {
   constexpr int kMaxLinks = 40;  // Linux's own bound
   std::error_code error;
@@ -21,7 +21,8 @@ inline std::filesystem::path follow_links(std::filesystem::path file) {
 }
 
 /// A file that appears whole or not at all: written under a temporary name in its folder, then renamed.
-/// Symbolic links are followed, as a shell's redirection does; pipes and devices (/dev/stdout) are written to, not replaced.
+/// Symbolic links are followed, as a shell's redirection does; pipes and devices (/dev/stdout) are written
+/// to, not replaced.
 class AtomicFile {
  public:
   explicit AtomicFile(const std::filesystem::path& file) : target_(file), partial_(file) {

@@ -4,21 +4,14 @@
 #include <cmath>
 #include <memory>
 
+#include "command_line_options.h"
 #include "commands.h"
 
 namespace photopic {
 namespace {
 
-constexpr const char* kSpectrumHelp =
-    "\nSPECTRUM is a file (two columns nm, value; LSPDD .csv/.json; CGATS .sp; TM-27 .spdx), "
-    "cie:A|D50|D65|E|FL1…FL12|…,\n"
-    "blackbody:KELVIN, line:NM[:FWHM] or constant.";
-
-const CLI::Range kSamplesRange(1, 1 << 24);
-
-CLI::Validator one_of(std::vector<std::string> names) {
-  return CLI::IsMember(std::move(names));
-}
+constexpr int kMaxSamples = 1 << 24;
+const CLI::Range kSamplesRange(1, kMaxSamples);
 
 const CLI::Validator kFinite(
     [](std::string& text) {
@@ -29,8 +22,8 @@ const CLI::Validator kFinite(
     },
     "-100…100");
 
-/// @param served what the --distribution serves
-void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served) {
+/// What a scene is loaded with.
+void bind_scene_file(CLI::App& command, SceneArguments& a) {
   command.add_option("SCENE", a.scene, "A glTF 2.0 file, .gltf or .glb")->required()->type_name("");
   command
       .add_option("--emitter", a.emitters,
@@ -42,7 +35,11 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
       ->type_name("WxH");
   command.add_option("--camera", a.camera, "The camera's name; the scene's first if not given")
       ->type_name("NAME");
+}
 
+/// @param served what the --distribution serves
+void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served) {
+  bind_scene_file(command, a);
   command.add_option("--spp", a.spp, "Samples per pixel")
       ->capture_default_str()
       ->check(kSamplesRange)
@@ -89,43 +86,6 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
   command.add_flag("--stats", a.stats, "Print counts, times and channel means with their standard errors");
 }
 
-void bind_seed(CLI::App& command, std::uint32_t& seed) {
-  command.add_option("--seed", seed, "Same seed, same bits, whatever the number of threads")
-      ->capture_default_str()
-      ->type_name("N");
-}
-
-void bind_threads(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Threads to use; 0: as many as the machine runs at once")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 4096))
-      ->type_name("N");
-}
-
-void bind_json(CLI::App& command, std::filesystem::path& json) {
-  command.add_option("--json", json, "Write the result for machines to read")->type_name("FILE");
-}
-
-void bind_quiet(CLI::App& command, bool& quiet,
-                const char* help = "No progress, no summary; warnings and errors only") {
-  command.add_flag("--quiet", quiet, help);
-}
-
-void bind_white(CLI::App& command, std::string& white, const char* help) {
-  command.add_option("--white", white, help)
-      ->capture_default_str()
-      ->check(one_of({"D65", "illuminant"}))
-      ->type_name("NAME");
-}
-
-template <typename Arguments>
-CLI::App* add_command(CLI::App& app, const char* name, const char* description, std::function<int()>& action,
-                      int (*run)(const Arguments&), std::shared_ptr<Arguments> arguments) {
-  CLI::App* command = app.add_subcommand(name, description);
-  command->callback([&action, run, arguments] { action = [run, arguments] { return run(*arguments); }; });
-  return command;
-}
-
 void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
   auto a = std::make_shared<RenderArguments>();
   CLI::App& command = *add_command(app, "render", "Render a scene", action, run_render, a);
@@ -142,6 +102,23 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       ->capture_default_str()
       ->check(one_of({"uniform", "visible", "illuminant", "optimized"}))
       ->type_name("NAME");
+  command
+      .add_option("--time", a->scene.seconds,
+                  "End the render after so many seconds, scene and optimisation not counted; without --spp "
+                  "as many samples as fit")
+      ->check(CLI::Range(1e-3, 1e9))
+      ->type_name("SECONDS");
+  command
+      .add_option(
+          "--target-error", a->scene.target_error,
+          "End each 16x16 pixels when their expected mean ΔE (CIEDE2000, 0 EV) is this or less; without "
+          "--spp however many samples that takes")
+      ->check(CLI::Range(1e-3, 1e3))
+      ->type_name("ΔE");
+  command.parse_complete_callback([a, &command] {
+    const bool limited = a->scene.seconds > 0 || a->scene.target_error > 0;
+    if (limited && command.count("--spp") == 0) a->scene.spp = kMaxSamples;
+  });
   command
       .add_option("--color", a->color,
                   "What an EXR holds: srgb (linear sRGB) or xyz (CIE XYZ as observed, without white balance)")
@@ -214,53 +191,17 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
       "\n\nExample: photopic compare box.gltf --emitter cie:FL11 --samplers uniform,optimized --report out");
 }
 
-void bind_optimize(CLI::App& app, std::function<int()>& action, int& threads) {
-  auto a = std::make_shared<OptimizeArguments>();
+void bind_info(CLI::App& app, std::function<int()>& action, int& threads) {
+  auto a = std::make_shared<InfoArguments>();
   CLI::App& command = *add_command(
-      app, "optimize", "Find the wavelength densities that suit a lamp, or several", action, run_optimize, a);
-  command
-      .add_option(
-          "SPECTRUM", a->spectra,
-          "The lamp's spectrum, see below; of several, one set of densities serves all. SPECTRUM*POWER "
-          "gives a lamp's luminous power relative to the others', 1 if not given")
-      ->required()
-      ->type_name("[SPECTRUM[*POWER]…]");
-  command.add_option("-o,--output", a->output, "Where the densities go, for render --distribution")
-      ->required()
-      ->type_name("FILE.json");
-  command
-      .add_option("--wavelengths", a->wavelengths,
-                  "Wavelengths a path carries, 1 to 16 (render takes 1, 4, 8, 16)")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 16))
-      ->type_name("N");
-  command
-      .add_option("--objective", a->objective,
-                  "asymptotic: the error of the mean of many paths [ΔE of one]; mean-delta-e: the mean ΔE of "
-                  "single paths")
-      ->capture_default_str()
-      ->check(one_of({"asymptotic", "mean-delta-e"}))
-      ->type_name("NAME");
-  command.add_option("--effort", a->effort, "How long to search: quick, default or thorough")
-      ->capture_default_str()
-      ->check(one_of({"quick", "default", "thorough"}))
-      ->type_name("NAME");
-  bind_white(command, a->white, "White of ΔE: D65, or the illuminant for an adapted observer");
-  command
-      .add_option("--color-bar", a->color_bar,
-                  "Picture of the colours that the sampler sees, beside the other samplers'")
-      ->type_name("FILE.png");
-  command
-      .add_option("--plot", a->plot,
-                  "Picture of the spectrum, the densities, and what single paths see before and after")
-      ->type_name("FILE.svg");
-  bind_seed(command, a->seed);
+      app, "info", "Describe a scene: what it holds and what a render of it will use", action, run_info, a);
+  bind_scene_file(command, a->scene);
   bind_threads(command, threads);
   bind_json(command, a->json);
-  bind_quiet(command, a->quiet);
-  command.footer(std::string(kSpectrumHelp) +
-                 "\n\nExample: photopic optimize cie:FL11 -o fl11.json --color-bar fl11.png"
-                 "\nExample: photopic optimize cie:FL11 'blackbody:2700*0.5' -o two-lamps.json");
+  command.footer(
+      std::string(kSpectrumHelp) +
+      "\n\nLuminances are in cd/m², luminous fluxes in lm, lengths in m. Memory is an estimate.\n\n"
+      "Example: photopic info box.gltf --json box.json");
 }
 
 void bind_spectrum(CLI::App& app, std::function<int()>& action) {
@@ -295,6 +236,7 @@ void bind_diff(CLI::App& app, std::function<int()>& action, int& threads) {
 
 void bind_commands(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_render(app, action, threads);
+  bind_info(app, action, threads);
   bind_optimize(app, action, threads);
   bind_compare(app, action, threads);
   bind_spectrum(app, action);

@@ -9,7 +9,7 @@ namespace photopic {
 
 /// One struct of arguments and one function for each subcommand; command_line.cpp binds the options to the
 /// fields. Every run_* returns the exit code.
-/// @throws InputError when something the user gave is wrong
+/// @throws InputError when something the user gave is wrong, SearchStopped when Ctrl-C ended an optimisation
 
 inline constexpr int kExitDone = 0;
 inline constexpr int kExitBadInput = 1;
@@ -23,7 +23,9 @@ struct SceneArguments {
   std::string camera;                 ///< empty: the scene's first
   std::string resolution;             ///< "WxH" [pixels]; empty: the camera's
 
-  int spp = 64;                        ///< samples per pixel
+  int spp = 64;                        ///< samples per pixel, at most
+  double seconds = 0;                  ///< end a render after so long; 0: no limit
+  double target_error = 0;             ///< expected mean ΔE at which a part of the image is done; 0: none
   int wavelengths = 0;                 ///< a path's: 1, 4, 8 or 16; 0: the distribution's, else 4
   std::filesystem::path distribution;  ///< of the optimised sampler; empty: optimise on the spot
   bool no_cache = false;
@@ -60,15 +62,24 @@ struct CompareArguments {
 };
 int run_compare(const CompareArguments& arguments);
 
+struct InfoArguments {
+  SceneArguments scene;  ///< the file, camera, resolution and emitters alone
+  std::filesystem::path json;
+};
+int run_info(const InfoArguments& arguments);
+
 struct OptimizeArguments {
-  std::vector<std::string> spectra;  ///< "SPECTRUM[*POWER]"
-  std::filesystem::path output;
+  std::vector<std::string> spectra;      ///< "SPECTRUM[*POWER]"
+  std::filesystem::path output;          ///< empty where wavelengths are compared
   int wavelengths = 4;                   ///< 1 … 16
+  bool compare_wavelengths = false;      ///< a table of N = 1, 2, 4, 8, 16 instead of a file
   std::string objective = "asymptotic";  ///< or "mean-delta-e"
   std::string effort = "default";        ///< or "quick", "thorough"
+  int nodes = 0;                         ///< of each density; 0: the optimiser's own number
   std::string white = "D65";             ///< or "illuminant"
+  std::filesystem::path reflectances;    ///< measured, further targets
   std::uint32_t seed = 1;
-  std::filesystem::path color_bar;
+  std::filesystem::path color_bar;  ///< an image, or .svg with labels
   std::filesystem::path plot;
   std::filesystem::path json;
   bool quiet = false;

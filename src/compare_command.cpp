@@ -191,6 +191,7 @@ void write_reference(const Setting& setting, Reference& reference) {
   Run run;
   run.sampler = "optimized";
   run.spp = reference.spp;
+  run.mean_spp = reference.spp;
   run.wavelengths = setting.wavelengths;
   run.seed = setting.arguments.scene.seed + kReferenceSeedDistance;
   run.render_seconds = reference.render_seconds;

@@ -16,17 +16,11 @@ constexpr double kWidth = 900.0, kHeight = 830.0;
 constexpr double kBin = 1.0;  ///< [nm]: a density is drawn as its mean over each, lines and all
 
 /// p_k in bins: differences of its CDF, Q_k(B(λ)). Points (nm, 1/nm).
-std::vector<PlotPoint> binned_density(const WavelengthDistribution& distribution,
-                                      const WavelengthDistribution::Component& component) {
-  std::vector<double> t;
-  const auto last = static_cast<double>(component.nodes.size() - 1);
-  for (std::size_t i = 0; i < component.nodes.size(); ++i) t.push_back(static_cast<double>(i) / last);
-  const PiecewiseLinearDensity q(std::move(t), component.nodes);
-
+std::vector<PlotPoint> binned_density(const PiecewiseLinearDensity& base, const PiecewiseLinearDensity& q) {
   std::vector<PlotPoint> points;
   double before = 0.0;
   for (double nm = kLambdaMin; nm < kLambdaMax; nm += kBin) {
-    const double until = q.cdf(distribution.base.cdf(nm + kBin));
+    const double until = q.cdf(base.cdf(nm + kBin));
     points.push_back({nm + 0.5 * kBin, std::max(0.0, until - before) / kBin});
     before = until;
   }
@@ -55,8 +49,8 @@ void draw_densities(SvgDrawing& svg, const WavelengthDistribution& distribution,
                     const TabulatedSpectrum& light) {
   std::vector<std::vector<PlotPoint>> densities;
   double top = 0.0;
-  for (const auto& component : distribution.components) {
-    densities.push_back(binned_density(distribution, component));
+  for (const PiecewiseLinearDensity& q : densities_on_t(distribution)) {
+    densities.push_back(binned_density(distribution.base, q));
     top = std::max(top, highest(densities.back()));
   }
   const PlotFrame frame({.left = 80, .top = 112, .width = 790, .height = 330},

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "error.h"
+#include "optimize/reflectance_set.h"
 #include "optimize_run.h"
 #include "scene_setup.h"
 #include "spectral/lamp_set.h"
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Part of the files' names: to be counted up when the optimiser's results or the files' format change.
-constexpr int kCacheVersion = 2;
+constexpr int kCacheVersion = 3;
 
 std::optional<fs::path> cache_folder() {
   // The XDG base directory specification has relative paths ignored.
@@ -30,9 +31,11 @@ std::optional<fs::path> cache_folder() {
 
 fs::path cache_file(const fs::path& folder, std::span<const TabulatedSpectrum> lamps,
                     const OptimizeOptions& options) {
-  return folder / fmt::format("{}-n{}-o{}-e{}-w{}-s{}-v{}.json", digest(lamps), options.wavelengths,
+  const std::string measured = reflectances_digest(options.reflectances);
+  return folder / fmt::format("{}-n{}-o{}-e{}-w{}-s{}-k{}-t{}{}-v{}.json", digest(lamps), options.wavelengths,
                               static_cast<int>(options.objective), static_cast<int>(options.effort),
-                              static_cast<int>(options.white), options.seed, kCacheVersion);
+                              static_cast<int>(options.white), options.seed, options.nodes,
+                              options.target_count, measured, kCacheVersion);
 }
 
 std::optional<WavelengthDistribution> read_cached(const fs::path& file,

@@ -6,7 +6,7 @@
 namespace photopic {
 
 /// The text without control characters (line ends, terminals' escapes), which names from files may hold.
-inline std::string one_line(std::string text) {
+inline std::string without_controls(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
   return text;

@@ -14,13 +14,14 @@
 #include "command_line.h"
 #include "commands.h"
 #include "error.h"
+#include "optimize/solver.h"
 
 namespace photopic {
 namespace {
 
 /// An error message is one line, whatever its author wrote.
 void print_error(const std::string& text) {
-  fmt::print(stderr, "photopic: {}\n", one_line(text));
+  fmt::print(stderr, "photopic: {}\n", without_controls(text));
 }
 
 /// @return the exit code for what is wrong with the command line; help and version are nothing wrong
@@ -64,6 +65,9 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     print_error(error.what());
     return kExitBadInput;
+  } catch (const SearchStopped&) {
+    print_error("interrupted while optimising; nothing is written");
+    return kExitInterrupted;
   } catch (const std::bad_alloc&) {
     print_error("out of memory; choose a smaller resolution or scene");
     return kExitBadInput;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -8,10 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "color_bar_plot.h"
 #include "commands.h"
 #include "core/image_io.h"
 #include "density_plot.h"
 #include "error.h"
+#include "interrupt.h"
 #include "optimize_report.h"
 #include "optimize_run.h"
 #include "output_file.h"
@@ -19,6 +22,7 @@
 #include "spectral/lamp_set.h"
 #include "spectral/observer.h"
 #include "spectral/spectrum_file.h"
+#include "wavelength_comparison.h"
 
 namespace photopic {
 namespace {
@@ -49,12 +53,25 @@ std::pair<std::string, double> parse_lamp(const std::string& text) {
   return {text.substr(0, star), power};
 }
 
+/// Whether the color bar is asked for with labels.
+bool is_svg(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return ending == ".svg";
+}
+
 void check_outputs(const OptimizeArguments& arguments) {
-  check_writable_file(arguments.output);
-  if (!arguments.color_bar.empty()) check_writable_image(arguments.color_bar);
+  if (arguments.output.empty() && !arguments.compare_wavelengths)
+    throw InputError("--output", "is missing", "name a file for the densities; see photopic optimize --help");
+  if (!arguments.output.empty()) check_writable_file(arguments.output);
+  if (is_svg(arguments.color_bar)) {
+    check_writable_file(arguments.color_bar);
+  } else if (!arguments.color_bar.empty()) {
+    check_writable_image(arguments.color_bar);
+  }
   if (!arguments.plot.empty()) check_writable_file(arguments.plot);
   if (!arguments.json.empty()) check_writable_file(arguments.json);
-  std::vector<std::filesystem::path> inputs;
+  std::vector<std::filesystem::path> inputs{arguments.reflectances};
   for (const std::string& text : arguments.spectra) inputs.push_back(parse_lamp(text).first);
   check_no_overwriting({arguments.output, arguments.color_bar, arguments.plot, arguments.json}, inputs);
 }
@@ -68,6 +85,18 @@ std::vector<TabulatedSpectrum> read_lamps(const std::vector<std::string>& spectr
     powers.push_back(power);
   }
   return lamp_set(lamps, powers);
+}
+
+OptimizeOptions read_options(const OptimizeArguments& arguments) {
+  OptimizeOptions options = optimize_options(arguments.wavelengths, arguments.objective, arguments.effort,
+                                             arguments.white, arguments.seed);
+  options.nodes = arguments.nodes;
+  if (arguments.reflectances.empty()) return options;
+  if (options.objective != Objective::asymptotic)
+    throw InputError("--reflectances", "mean-delta-e looks at white alone", "use --objective asymptotic");
+  for (TabulatedSpectrum& reflectance : read_reflectance_file(arguments.reflectances))
+    options.reflectances.emplace_back(std::move(reflectance));
+  return options;
 }
 
 void print_result(const WavelengthDistribution& d, const std::vector<SamplerRow>& samplers, double seconds) {
@@ -87,6 +116,9 @@ void write_json(const OptimizeArguments& arguments, const OptimizeResult& result
                                        {"effort", arguments.effort},
                                        {"white", arguments.white},
                                        {"seed", arguments.seed},
+                                       {"nodes", d.components[0].nodes.size()},
+                                       {"targets", d.targets.constructed + d.targets.measured},
+                                       {"measured_targets", d.targets.measured},
                                        {"objective_value", d.value},
                                        {"uniform_value", d.uniform_value},
                                        {"visible_value", d.visible_value},
@@ -97,25 +129,57 @@ void write_json(const OptimizeArguments& arguments, const OptimizeResult& result
   write_json_file(arguments.json, json);
 }
 
+std::string lamp_names(const OptimizeArguments& arguments) {
+  return fmt::format("{}", fmt::join(arguments.spectra, " "));
+}
+
+void draw_color_bar(const OptimizeArguments& arguments, const WavelengthDistribution& distribution,
+                    const TabulatedSpectrum& light) {
+  const int count = arguments.wavelengths;
+  const std::vector<WavelengthSampler> samplers{UniformWavelengths{count}, VisibleWavelengths{count},
+                                                IlluminantWavelengths{count, base_density(light)},
+                                                OptimizedWavelengths(distribution)};
+  if (is_svg(arguments.color_bar)) {
+    write_text_file(arguments.color_bar, color_bar_plot(distribution.spectrum, samplers, light));
+  } else {
+    write_color_bar(arguments.color_bar, samplers, light);
+  }
+}
+
+int run_comparison(const OptimizeArguments& arguments, const std::vector<TabulatedSpectrum>& lamps,
+                   const OptimizeOptions& options) {
+  const std::string names = lamp_names(arguments);
+  const auto optimize = [&](const OptimizeOptions& each) {
+    return optimize_with_progress(lamps, fmt::format("{}, {} wavelengths", names, each.wavelengths), each,
+                                  arguments.quiet);
+  };
+  const std::vector<WavelengthRow> rows = compare_wavelength_counts(lamps, options, optimize);
+  if (!arguments.json.empty())
+    write_json_file(arguments.json, {{"version", PHOTOPIC_VERSION},
+                                     {"spectrum", names},
+                                     {"objective", arguments.objective},
+                                     {"effort", arguments.effort},
+                                     {"white", arguments.white},
+                                     {"seed", arguments.seed},
+                                     {"wavelengths", wavelengths_json(rows)}});
+  if (!arguments.quiet) fmt::print("{}{}\n", wavelength_table(rows), names);
+  return kExitDone;
+}
+
 }  // namespace
 
 int run_optimize(const OptimizeArguments& arguments) {
+  interrupt_flag();  // from here on Ctrl-C ends the search
   check_outputs(arguments);
   const std::vector<TabulatedSpectrum> lamps = read_lamps(arguments.spectra);
-  const OptimizeOptions options = optimize_options(arguments.wavelengths, arguments.objective,
-                                                   arguments.effort, arguments.white, arguments.seed);
-  const OptimizeResult made = optimize_with_progress(
-      lamps, fmt::format("{}", fmt::join(arguments.spectra, " ")), options, arguments.quiet);
+  const OptimizeOptions options = read_options(arguments);
+  if (arguments.compare_wavelengths) return run_comparison(arguments, lamps, options);
 
+  OptimizeResult made = optimize_with_progress(lamps, lamp_names(arguments), options, arguments.quiet);
+  made.distribution.targets.measured_file = arguments.reflectances.string();
   write_distribution(arguments.output, made.distribution);
   const TabulatedSpectrum light = mixed_light(lamps);
-  if (!arguments.color_bar.empty()) {
-    const int count = arguments.wavelengths;
-    const std::vector<WavelengthSampler> samplers{UniformWavelengths{count}, VisibleWavelengths{count},
-                                                  IlluminantWavelengths{count, base_density(light)},
-                                                  OptimizedWavelengths(made.distribution)};
-    write_color_bar(arguments.color_bar, samplers, light);
-  }
+  if (!arguments.color_bar.empty()) draw_color_bar(arguments, made.distribution, light);
   if (!arguments.plot.empty())
     write_text_file(arguments.plot, density_plot(made.initial, made.distribution, light));
   if (arguments.json.empty() && arguments.quiet) return kExitDone;

@@ -11,6 +11,7 @@ namespace photopic {
 
 /// Optimises with a progress line, and warns when the solver gave up.
 /// @param lamps a lamp_set  @param name theirs, for the distribution's file, which the seconds go to, too
+/// @throws SearchStopped
 OptimizeResult optimize_with_progress(std::span<const TabulatedSpectrum> lamps, const std::string& name,
                                       const OptimizeOptions& options, bool quiet);
 

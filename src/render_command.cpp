@@ -61,8 +61,10 @@ void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
   const double paths = static_cast<double>(run.stats.paths);
   fmt::print("scene:    {} triangles, {} shapes, {} materials; lamps: {}\n", scene.geometry.triangles.size(),
              scene.geometry.shapes.size(), scene.materials.size(), fmt::join(scene.emission_names, ", "));
-  fmt::print("samples:  {}, of {} wavelengths each; {} not finite\n", run.stats.paths, run.wavelengths,
-             run.stats.non_finite);
+  fmt::print("samples:  {}, {:.4g} a pixel, of {} wavelengths each; {} not finite\n", run.stats.paths,
+             run.mean_spp, run.wavelengths, run.stats.non_finite);
+  if (run.stats.expected_delta_e)
+    fmt::print("error:    a mean ΔE of {:.3g} is expected\n", *run.stats.expected_delta_e);
   if (run.stats.split_paths > 0)
     fmt::print("dispersion: {:.2f} % of the samples went on with one wavelength\n",
                100.0 * static_cast<double>(run.stats.split_paths) / paths);

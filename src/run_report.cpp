@@ -15,6 +15,8 @@ Run make_run(const std::string& sampler, int spp, int wavelengths, std::uint32_t
   Run run;
   run.sampler = sampler;
   run.spp = spp;
+  run.mean_spp = static_cast<double>(result.stats.paths) / static_cast<double>(result.film.width()) /
+                 static_cast<double>(result.film.height());
   run.wavelengths = wavelengths;
   run.seed = seed;
   run.render_seconds = result.stats.seconds;
@@ -31,6 +33,7 @@ nlohmann::ordered_json run_json(const Run& run) {
       {"sampler", run.sampler},
       {"image", run.image.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(run.image)},
       {"spp", run.spp},
+      {"mean_spp", run.mean_spp},
       {"wavelengths", run.wavelengths},
       {"seed", run.seed},
       {"render_seconds", run.render_seconds},
@@ -38,6 +41,8 @@ nlohmann::ordered_json run_json(const Run& run) {
       {"rays_per_second", run.rays_per_second()},
   };
   add_metrics(json, run.metrics);
+  const auto& expected = run.stats.expected_delta_e;
+  json["expected_mean_delta_e"] = expected ? nlohmann::ordered_json(*expected) : nlohmann::ordered_json();
   json["non_finite_samples"] = run.stats.non_finite;
   json["split_samples"] = run.stats.split_paths;
   json["optimize_seconds"] = run.optimize_seconds;

@@ -14,8 +14,9 @@ namespace photopic {
 /// One render, or one existing image, as tables and JSON tell of it.
 struct Run {
   std::string sampler;
-  std::string image;  ///< the file it was written to or read from; empty: none
-  int spp = 0;
+  std::string image;    ///< the file it was written to or read from; empty: none
+  int spp = 0;          ///< asked for, at most
+  double mean_spp = 0;  ///< taken, mean over the pixels
   int wavelengths = 0;
   std::uint32_t seed = 0;
   double render_seconds = 0;  ///< median over the rounds

@@ -7,6 +7,7 @@
 
 #include "distribution_cache.h"
 #include "error.h"
+#include "interrupt.h"
 #include "spectral/lamp_set.h"
 #include "spectral/observer.h"
 
@@ -68,6 +69,7 @@ OptimizeOptions optimize_options(int wavelengths, std::string_view objective, st
   options.effort = effort_named(effort);
   options.white = white_named(white);
   options.seed = seed;
+  options.stop = &interrupt_flag();
   return options;
 }
 

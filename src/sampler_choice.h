@@ -11,7 +11,7 @@
 
 namespace photopic {
 
-/// The names of the command line as the optimiser's options.
+/// The names of the command line as the optimiser's options; the first SIGINT stops the search.
 OptimizeOptions optimize_options(int wavelengths, std::string_view objective, std::string_view effort,
                                  std::string_view white, std::uint32_t seed);
 

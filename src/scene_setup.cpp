@@ -53,7 +53,7 @@ std::vector<std::filesystem::path> input_files(const SceneArguments& arguments) 
 }
 
 void print_warning(const std::string& text) {
-  fmt::print(stderr, "warning: {}\n", one_line(text));
+  fmt::print(stderr, "warning: {}\n", without_controls(text));
 }
 
 GltfOptions gltf_options(const SceneArguments& arguments) {
@@ -82,6 +82,8 @@ const Observer& standard_observer(const SceneArguments& arguments) {
 RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint32_t seed,
                              Progress* progress) {
   return {.spp = spp,
+          .seconds = arguments.seconds,
+          .target_error = arguments.target_error,
           .sequence = arguments.sequence == "independent" ? Sequence::independent : Sequence::sobol,
           .observer = &standard_observer(arguments),
           .seed = seed,
@@ -96,8 +98,9 @@ RenderResult render_with_progress(const std::string& label, const PreparedScene&
                                   std::uint32_t seed) {
   const Camera& camera = scene.scene.camera;
   const auto samples = std::uint64_t(camera.width) * std::uint64_t(camera.height) * std::uint64_t(spp);
+  const bool known = arguments.target_error == 0;
   RenderResult result = [&] {
-    Progress progress(label, samples, "samples", arguments.quiet);
+    Progress progress(label, known ? samples : 0, "samples", arguments.quiet, arguments.seconds);
     return render(scene, sampler, render_options(arguments, spp, seed, &progress));
   }();
   if (result.stats.non_finite > 0)
@@ -110,7 +113,7 @@ void write_render(const std::filesystem::path& file, const Image& image, const S
                   const Scene& scene, const Run& run) {
   Metadata metadata = {{"scene", arguments.scene.string()},
                        {"sampler", run.sampler},
-                       {"spp", std::to_string(run.spp)},
+                       {"spp", fmt::format("{:.6g}", run.mean_spp)},
                        {"wavelengths", std::to_string(run.wavelengths)},
                        {"seed", std::to_string(run.seed)},
                        {"observer", fmt::format("CIE {}", arguments.observer)},

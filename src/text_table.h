@@ -9,4 +9,7 @@ namespace photopic {
 /// others right.
 std::string format_table(const std::vector<std::vector<std::string>>& rows);
 
+/// The same with all columns standing left, as words do; nothing trails.
+std::string format_columns(const std::vector<std::vector<std::string>>& rows);
+
 }  // namespace photopic

@@ -9,6 +9,15 @@ Film::Film(int width, int height)
       height_(height),
       pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
 
+Film& Film::operator+=(const Film& other) {
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    pixels_[i].sum += other.pixels_[i].sum;
+    pixels_[i].sum_of_squares += other.pixels_[i].sum_of_squares;
+    pixels_[i].count += other.pixels_[i].count;
+  }
+  return *this;
+}
+
 Xyz Film::mean(std::size_t pixel) const {
   const Pixel& p = pixels_[pixel];
   return p.count == 0 ? Xyz{} : p.sum * (1.0 / static_cast<double>(p.count));

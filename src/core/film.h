@@ -22,6 +22,9 @@ class Film {
     ++p.count;
   }
 
+  /// Adds another film's samples pixel by pixel. @param other of the same size
+  Film& operator+=(const Film& other);
+
   int width() const { return width_; }
   int height() const { return height_; }
 

@@ -45,7 +45,11 @@ void check_complete(const GltfDocument& document, const Scene& scene) {
 }  // namespace
 
 Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
-  const GltfDocument document = read_gltf_document(file);
+  return load_gltf(read_gltf_bytes(file), file, options);
+}
+
+Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options) {
+  const GltfDocument document = read_gltf_document(std::move(bytes), file);
   Scene scene;
   scene.files = document.named_files;
   const std::vector<NodeInstance> instances = walk_nodes(document, scene.warnings);

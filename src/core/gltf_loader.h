@@ -27,4 +27,7 @@ struct GltfOptions {
 /// @throws InputError naming the file, the JSON pointer of the place, what is wrong and what to do
 Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options = {});
 
+/// The same of a file in memory: `file` names it in messages, and other files are sought beside it.
+Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options = {});
+
 }  // namespace photopic

@@ -34,7 +34,7 @@ Encoding encoding_of(const std::filesystem::path& file) {
 }
 
 std::string reason(const std::string& text) {
-  return text.empty() ? "unknown reason" : one_line(text);
+  return text.empty() ? "unknown reason" : without_controls(text);
 }
 
 /// 8-bit sRGB after exposure. A pixel with a NaN is magenta, so that it is seen.

@@ -1,10 +1,13 @@
 #include "core/progress.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
+#include <vector>
 
 namespace photopic {
 namespace {
@@ -32,12 +35,13 @@ std::string format_rate(double per_second, const std::string& unit) {
 
 }  // namespace
 
-Progress::Progress(std::string label, std::uint64_t total, std::string unit, bool quiet)
+Progress::Progress(std::string label, std::uint64_t total, std::string unit, bool quiet, double seconds)
     : label_(std::move(label)),
       unit_(std::move(unit)),
       total_(total),
       quiet_(quiet),
       terminal_(isatty(STDERR_FILENO) == 1),
+      seconds_(seconds),
       start_(steady_clock::now()),
       next_print_(start_ + (terminal_ ? steady_clock::duration(kTerminalInterval) : kPipeInterval)) {}
 
@@ -57,16 +61,24 @@ void Progress::advance(std::uint64_t units) {
   print(done, false);
 }
 
+/// By the work or the clock, whichever is further.
+double Progress::share(std::uint64_t done, double elapsed) const {
+  const double work = total_ > 0 ? static_cast<double>(done) / static_cast<double>(total_) : 0.0;
+  const double time = seconds_ > 0.0 ? elapsed / seconds_ : 0.0;
+  return std::min(std::max(work, time), 1.0);
+}
+
 void Progress::print(std::uint64_t done, bool last) {
   const double elapsed = duration<double>(steady_clock::now() - start_).count();
-  const double share = total_ > 0 ? static_cast<double>(done) / static_cast<double>(total_) : 1.0;
-  std::string line = fmt::format("{}: {:3.0f} %", label_, 100.0 * share);
-  if (!unit_.empty() && elapsed > 0) line += ", " + format_rate(static_cast<double>(done) / elapsed, unit_);
-  if (last) {
-    line += ", took " + format_seconds(elapsed);
-  } else if (done > 0) {
-    line += ", " + format_seconds(elapsed * (1.0 / share - 1.0)) + " left";
-  }
+  const double part = share(done, elapsed);
+  std::vector<std::string> facts;
+  if (part > 0 || total_ > 0) facts.push_back(fmt::format("{:3.0f} %", 100.0 * part));
+  if (!unit_.empty() && elapsed > 0) facts.push_back(format_rate(static_cast<double>(done) / elapsed, unit_));
+  if (last)
+    facts.push_back("took " + format_seconds(elapsed));
+  else if (part > 0)
+    facts.push_back(format_seconds(elapsed * (1.0 / part - 1.0)) + " left");
+  const std::string line = fmt::format("{}: {}", label_, fmt::join(facts, ", "));
   // On a terminal the line is drawn over the one before; \033[K clears what that one had more.
   fmt::print(stderr, "{}{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "\033[K" : "",
              !terminal_ || last ? "\n" : "");

@@ -97,7 +97,8 @@ struct Scene {
   std::vector<TabulatedSpectrum> emission_spectra;  ///< distinct; each with ∫ȳI dλ / ∫ȳ dλ = 1
   std::vector<std::string> emission_names;          ///< of each spectrum, as the user called it
   Camera camera;
-  Vec3d origin;  ///< world position of the coordinates' zero: floats stay accurate far from 0
+  std::string camera_name;  ///< of the camera, else of its node
+  Vec3d origin;             ///< world position of the coordinates' zero: floats stay accurate far from 0
   std::vector<std::string> warnings;         ///< one line each: what was ignored or mended
   std::vector<std::filesystem::path> files;  ///< that the scene's file names; some may not exist
 };

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
 #include "core/film.h"
 #include "core/prepared_scene.h"
@@ -13,7 +14,9 @@
 namespace photopic {
 
 struct RenderOptions {
-  int spp = 64;  ///< samples per pixel
+  int spp = 64;             ///< samples per pixel, at most
+  double seconds = 0;       ///< end after so long, every pixel having a sample; 0: no limit
+  double target_error = 0;  ///< end a tile when its expected mean ΔE is this or less; 0: never
   Sequence sequence = Sequence::sobol;
   const Observer* observer = &Observer::cie1931();  ///< whose XYZ the film gathers
   std::uint32_t seed = 0;
@@ -30,7 +33,8 @@ struct RenderStats {
   std::uint64_t shadow_rays = 0;
   std::uint64_t split_paths = 0;  ///< paths that went on with one wavelength after dispersion
   std::uint64_t non_finite = 0;   ///< samples that were not finite; left out of the film and counted here
-  bool stopped = false;
+  std::optional<double> expected_delta_e{};  ///< mean over the image; where a target_error was set
+  bool stopped = false;                      ///< by RenderOptions::stop
 
   RenderStats& operator+=(const RenderStats& other) {
     paths += other.paths;

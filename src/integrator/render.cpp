@@ -1,21 +1,26 @@
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <xmmintrin.h>
 
 #include <chrono>
+#include <optional>
 #include <stdexcept>
 
 #include "integrator/naive_path.h"
 #include "integrator/path_stages.h"
+#include "integrator/tile.h"
 
 namespace photopic {
 namespace {
 
 /// A task is a tile of pixels times a few samples of each: large enough to fill a batch, small enough to
 /// share out.
-constexpr int kTileSize = 16;
 constexpr int kSamplesPerPass = 16;
+/// Samples go to two films in turn where their difference is to tell the error. Aligned runs of 8 are well
+/// stratified.
+constexpr int kSamplesPerFilm = kSamplesPerPass / 2;
+constexpr int kFirstLook = 32;      ///< samples before the first estimate of the error
+constexpr double kNextLook = 1.25;  ///< how many times as many before the next: each look favours luck
 
 /// Denormals are flushed to zero while it lives: they matter to no picture and cost a hundredfold.
 class FlushDenormals {
@@ -29,57 +34,104 @@ class FlushDenormals {
   unsigned saved_;
 };
 
-/// The paths of a tile, sample by sample, so that neighbours in a batch look at nearly the same thing.
-std::vector<PathKey> tile_paths(const Camera& camera, int tile, int first_sample, int last_sample) {
-  const int tiles_x = (camera.width + kTileSize - 1) / kTileSize;
-  const int x0 = tile % tiles_x * kTileSize, y0 = tile / tiles_x * kTileSize;
-  const int x1 = std::min(x0 + kTileSize, camera.width), y1 = std::min(y0 + kTileSize, camera.height);
-  std::vector<PathKey> paths;
-  paths.reserve(static_cast<std::size_t>((x1 - x0) * (y1 - y0) * (last_sample - first_sample)));
-  for (int s = first_sample; s < last_sample; ++s)
-    for (int y = y0; y < y1; ++y)
-      for (int x = x0; x < x1; ++x)
-        paths.push_back({static_cast<std::uint32_t>(y * camera.width + x), static_cast<std::uint32_t>(s)});
-  return paths;
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-int tile_count(const Camera& camera) {
-  return ((camera.width + kTileSize - 1) / kTileSize) * ((camera.height + kTileSize - 1) / kTileSize);
-}
+/// Renders tile by tile until every tile has its samples, or its error, or the time is up.
+template <typename Tracer>
+class TileRenderer {
+ public:
+  TileRenderer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& asked)
+      : camera_(scene.scene.camera),
+        options_(asked),
+        tracers_([this, &scene, &wavelengths] { return Tracer(scene, wavelengths, options_); }),
+        film_(camera_.width, camera_.height) {
+    const int task = film_tiles(camera_).front().pixel_count() * kSamplesPerPass;
+    options_.batch_size = std::min(asked.batch_size, task);
+    if (options_.target_error > 0.0) second_film_.emplace(camera_.width, camera_.height);
+  }
+
+  RenderResult render() {
+    const std::vector<Tile> all = film_tiles(camera_);
+    std::vector<Tile> active = all;
+    int next_look = kFirstLook;
+    for (int first = 0; first < options_.spp && !active.empty() && !(first > 0 && must_end());) {
+      const int last = std::min(first + pass_size(first), options_.spp);
+      tbb::parallel_for(std::size_t{0}, active.size(), [&](std::size_t i) {
+        if (!(first > 0 && must_end()) && !interrupted()) render_tile(active[i], first, last);
+      });
+      if (second_film_ && last >= next_look) {
+        std::erase_if(active, [&](const Tile& tile) {
+          return expected_delta_e(film_, *second_film_, tile) <= options_.target_error;
+        });
+        next_look = static_cast<int>(kNextLook * last);
+      }
+      first = last;
+    }
+    return result(all);
+  }
+
+ private:
+  bool interrupted() const {
+    return options_.stop != nullptr && options_.stop->load(std::memory_order_relaxed);
+  }
+  bool must_end() const {
+    return interrupted() || (options_.seconds > 0.0 && seconds_since(start_) >= options_.seconds);
+  }
+
+  /// Against the clock the first passes are small: every pixel gets a sample.
+  int pass_size(int first) const {
+    return options_.seconds > 0.0 ? std::clamp(first, 1, kSamplesPerPass) : kSamplesPerPass;
+  }
+
+  void render_tile(const Tile& tile, int first, int last) {
+    const FlushDenormals flush;
+    if (!second_film_) {
+      trace(tile_paths(tile, camera_.width, first, last), film_);
+      return;
+    }
+    for (int s = first; s < last;) {
+      const int block = s / kSamplesPerFilm, end = std::min((block + 1) * kSamplesPerFilm, last);
+      trace(tile_paths(tile, camera_.width, s, end), block % 2 == 0 ? film_ : *second_film_);
+      s = end;
+    }
+  }
+
+  void trace(const std::vector<PathKey>& paths, Film& film) {
+    Tracer& tracer = tracers_.local();
+    const auto batch = static_cast<std::size_t>(options_.batch_size);
+    for (std::size_t i = 0; i < paths.size(); i += batch)
+      tracer.trace(std::span(paths).subspan(i, std::min(batch, paths.size() - i)), film);
+    if (options_.progress != nullptr) options_.progress->advance(paths.size());
+  }
+
+  RenderResult result(const std::vector<Tile>& tiles) {
+    RenderStats stats;
+    for (const Tracer& tracer : tracers_) stats += tracer.stats();
+    stats.stopped = interrupted();
+    if (second_film_) {
+      double sum = 0.0;
+      for (const Tile& tile : tiles) sum += expected_delta_e(film_, *second_film_, tile) * tile.pixel_count();
+      stats.expected_delta_e = sum / (static_cast<double>(camera_.width) * camera_.height);
+      film_ += *second_film_;
+    }
+    stats.seconds = seconds_since(start_);
+    return {std::move(film_), stats};
+  }
+
+  const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  const Camera& camera_;
+  RenderOptions options_;
+  tbb::enumerable_thread_specific<Tracer> tracers_;
+  Film film_;
+  std::optional<Film> second_film_;  ///< of every other run of samples, where the error is asked for
+};
 
 template <typename Tracer>
 RenderResult render_tiles(const PreparedScene& scene, const WavelengthSampler& wavelengths,
-                          const RenderOptions& asked) {
-  const auto start = std::chrono::steady_clock::now();
-  const Camera& camera = scene.scene.camera;
-  RenderResult result{Film(camera.width, camera.height), {}};
-  RenderOptions options = asked;
-  options.batch_size = std::min(asked.batch_size, kTileSize * kTileSize * kSamplesPerPass);  // a task's paths
-  tbb::enumerable_thread_specific<Tracer> tracers([&] { return Tracer(scene, wavelengths, options); });
-
-  const auto stopped = [&] {
-    return options.stop != nullptr && options.stop->load(std::memory_order_relaxed);
-  };
-  for (int first = 0; first < options.spp && !stopped(); first += kSamplesPerPass) {
-    const int last = std::min(first + kSamplesPerPass, options.spp);
-    tbb::parallel_for(0, tile_count(camera), [&](int tile) {
-      if (stopped()) return;
-      const FlushDenormals flush;
-      const std::vector<PathKey> paths = tile_paths(camera, tile, first, last);
-      Tracer& tracer = tracers.local();
-      const std::size_t batch = static_cast<std::size_t>(options.batch_size);
-      for (std::size_t i = 0; i < paths.size(); i += batch)
-        tracer.trace(std::span(paths).subspan(i, std::min(batch, paths.size() - i)), result.film);
-      if (options.progress != nullptr) options.progress->advance(paths.size());
-    });
-  }
-
-  RenderStats& stats = result.stats;
-  for (const Tracer& tracer : tracers) stats += tracer.stats();
-  stats.stopped =
-      stats.paths < std::uint64_t(camera.width) * std::uint64_t(camera.height) * std::uint64_t(asked.spp);
-  stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return result;
+                          const RenderOptions& options) {
+  return TileRenderer<Tracer>(scene, wavelengths, options).render();
 }
 
 /// The widths that are compiled.

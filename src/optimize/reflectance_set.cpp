@@ -4,6 +4,8 @@
 #include <cmath>
 #include <random>
 
+#include "spectral/content_hash.h"
+
 namespace photopic {
 
 std::vector<Spectrum> target_reflectances(int count, std::uint64_t seed) {
@@ -31,6 +33,14 @@ std::vector<Spectrum> test_reflectances(int count) {
     reflectances.emplace_back(upsample_reflectance({r, g, b}));
   }
   return reflectances;
+}
+
+std::string reflectances_digest(std::span<const Spectrum> reflectances) {
+  if (reflectances.empty()) return "";
+  ContentHash hash;
+  for (const Spectrum& reflectance : reflectances)
+    for (double nm = kLambdaMin; nm <= kLambdaMax; nm += 1.0) hash.add(evaluate(reflectance, nm), 1e-7);
+  return hash.text();
 }
 
 }  // namespace photopic

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "spectral/spectrum.h"
@@ -18,5 +20,8 @@ std::vector<Spectrum> target_reflectances(int count, std::uint64_t seed);
 /// Reflectances to judge a result by: sigmoid polynomials of colours drawn independently, evenly over the
 /// sRGB cube as encoded, always the same ones; no target is among them.
 std::vector<Spectrum> test_reflectances(int count);
+
+/// 16 hex digits that identify measured reflectances by their values at every nm, to 1e-7; empty for none.
+std::string reflectances_digest(std::span<const Spectrum> reflectances);
 
 }  // namespace photopic

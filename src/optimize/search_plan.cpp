@@ -5,15 +5,16 @@
 
 namespace photopic {
 
-std::vector<SearchLevel> search_plan(int wavelengths, int starts) {
-  constexpr int kFinest = 192;
+std::vector<SearchLevel> search_plan(int wavelengths, int starts, int nodes) {
+  const int finest = nodes > 0 ? nodes - 1 : 192;
   // Three cells to a stratum of equal width at the least.
   const int crowd = static_cast<int>(std::bit_ceil(static_cast<unsigned>((wavelengths + 3) / 4)));
-  int cells = 12 * crowd, strata = 64 * crowd, candidates = std::max(8, starts / (crowd * crowd));
+  int cells = std::min(12 * crowd, finest), strata = 64 * crowd;
+  int candidates = std::max(8, starts / (crowd * crowd));
 
   std::vector<SearchLevel> levels{{candidates, cells + 1, strata, 30, 1e-3}};
-  for (int keep = 8; cells < kFinest; keep = 2) {
-    cells *= 2, strata *= 2, candidates = std::max(2, candidates / keep);
+  for (int keep = 8; cells < finest; keep = 2) {
+    cells = std::min(2 * cells, finest), strata *= 2, candidates = std::max(2, candidates / keep);
     levels.push_back({candidates, cells + 1, strata, 200, 1e-4});
   }
   levels.back().evaluations = 600;

@@ -14,8 +14,9 @@ struct SearchLevel {
 };
 
 /// Coarse to fine. The cells of one level halve those of the level before, so that a candidate is handed on
-/// unchanged.
+/// unchanged (but to the last level, where another number of nodes is asked for).
 /// @param starts at the coarsest level; there are fewer for many wavelengths, whose evaluations cost more
-std::vector<SearchLevel> search_plan(int wavelengths, int starts);
+/// @param nodes of the finest level, ≥ 3; 0: 193
+std::vector<SearchLevel> search_plan(int wavelengths, int starts, int nodes = 0);
 
 }  // namespace photopic

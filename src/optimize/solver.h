@@ -1,8 +1,10 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,10 +22,19 @@ struct OptimizeOptions {
   White white = White::d65;
   std::uint64_t seed = 1;
   Effort effort = Effort::normal;
+  int nodes = 0;                       ///< of each density, 3 … 1025; 0: 193
+  int target_count = 48;               ///< target_reflectances(), R = 1 the first of them; ≥ 1
+  std::vector<Spectrum> reflectances;  ///< further targets, measured; Objective::asymptotic alone sees them
+  const std::atomic<bool>* stop = nullptr;  ///< once true, the search ends soon with SearchStopped
+};
+
+/// The search was ended by OptimizeOptions::stop; there is no result.
+struct SearchStopped : std::runtime_error {
+  SearchStopped() : std::runtime_error("the search was stopped") {}
 };
 
 struct OptimizeResult {
-  WavelengthDistribution distribution;  ///< `spectrum` is left to the caller
+  WavelengthDistribution distribution;  ///< `spectrum` and the measured targets' name are left to the caller
   WavelengthDistribution
       initial;                 ///< N strata of equal probability: the illuminant sampler on this base density
   int evaluations = 0;         ///< of the objective, with its gradient
@@ -34,10 +45,10 @@ struct OptimizeResult {
 
 /// Searches the N densities for one lamp. Deterministic: the same emission, options and build give the same
 /// result, whatever the number of threads; the budget is counted in evaluations. Never worse by its own
-/// objective than the `illuminant` and `visible` samplers, whose strata are where the search goes on when it
-/// found nothing better.
+/// objective than the `illuminant` and `visible` samplers, by construction: see catch_up.
 /// @param progress is told the part done, 0 … 1, from any thread, one at a time
 /// @throws std::invalid_argument when the emission has no luminance or the options are out of range
+/// @throws SearchStopped
 OptimizeResult optimize_distribution(const TabulatedSpectrum& emission, const OptimizeOptions& options,
                                      const std::function<void(double fraction)>& progress = {});
 

@@ -49,6 +49,7 @@ void ComposedDensities::add_pieces(const PiecewiseLinearDensity& base, std::size
   auto node = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), first) - t.begin()) - 1;
   for (double start = first; start < last; start = t[++node]) {
     const double step = t[node + 1] - t[node], beyond = start - t[node];
+    if (!(step > 0.0)) continue;  // a jump
     const double q_slope = (q.value()[node + 1] - q.value()[node]) / step;
     const double sum_slope = (q_sum[node + 1] - q_sum[node]) / step;
     const Way way = way_to(start - first, f, slope);
@@ -72,10 +73,16 @@ void ComposedDensities::build_guide(Density& density) {
     while (density.pieces[piece + 1].u <= static_cast<double>(i) / density.guide_scale) ++piece;
     density.guide.push_back(piece);
   }
+  density.guide.push_back(static_cast<std::uint32_t>(density.pieces.size()) - 2);
 }
 
 const ComposedDensities::Piece* ComposedDensities::Density::find(double v) const {
-  const Piece* piece = &pieces[guide[static_cast<std::size_t>(v * guide_scale)]];
+  // Where a density is next to nothing, one step holds a great many pieces; few paths come there.
+  constexpr std::ptrdiff_t kFew = 16;
+  const std::uint32_t* step = &guide[static_cast<std::size_t>(v * guide_scale)];
+  const Piece *piece = &pieces[step[0]], *last = &pieces[step[1]];
+  if (last - piece > kFew)
+    piece = std::upper_bound(piece + 1, last + 1, v, [](double u, const Piece& p) { return u < p.u; }) - 1;
   while (piece[1].u <= v) ++piece;
   return piece;
 }

@@ -27,9 +27,10 @@ class ComposedDensities {
     double u = 0, lambda = 0, q = 0, q_slope = 0, b = 0, b_slope = 0, sum = 0, sum_slope = 0;
   };
   struct Density {
-    std::vector<Piece> pieces;         ///< and behind them their end, u beyond 1
-    std::vector<std::uint32_t> guide;  ///< the last piece to begin at or before each of equal steps of u
-    double guide_scale = 0;            ///< steps in all
+    std::vector<Piece> pieces;  ///< and behind them their end, u beyond 1
+    std::vector<std::uint32_t>
+        guide;  ///< the last piece to begin at or before each of equal steps of u, and the last of all
+    double guide_scale = 0;  ///< steps in all
     bool backwards = false;
 
     const Piece* find(double v) const;  ///< the piece that holds v, 0 ≤ v ≤ 1

@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "spectral/content_hash.h"
 #include "spectral/observer.h"
 
 namespace photopic {
@@ -72,16 +73,12 @@ std::string digest(std::span<const TabulatedSpectrum> lamps) {
   const std::vector<double> shares = luminance_shares(lamps);
   const double strongest = *std::max_element(shares.begin(), shares.end());
 
-  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, as for one lamp
-  const auto add = [&hash](std::uint64_t byte) { hash = (hash ^ (byte & 0xffu)) * 0x100000001b3u; };
+  ContentHash hash;
   for (std::size_t i = 0; i < lamps.size(); ++i) {
-    for (const char digit : digest(lamps[i])) add(static_cast<unsigned char>(digit));
-    const auto steps = static_cast<std::uint64_t>(steps_below(shares[i], strongest));
-    for (int byte = 0; byte < 8; ++byte) add(steps >> (8 * byte));
+    for (const char digit : digest(lamps[i])) hash.add_byte(static_cast<unsigned char>(digit));
+    hash.add(static_cast<std::uint64_t>(steps_below(shares[i], strongest)));
   }
-  std::string text(16, '0');
-  for (int digit = 0; digit < 16; ++digit) text[digit] = "0123456789abcdef"[(hash >> (60 - 4 * digit)) & 15];
-  return text;
+  return hash.text();
 }
 
 }  // namespace photopic

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "spectral/content_hash.h"
+
 namespace photopic {
 namespace {
 
@@ -95,24 +97,12 @@ std::string digest(const TabulatedSpectrum& spectrum) {
   for (double v : spectrum.value()) largest = std::max(largest, std::abs(v));
   if (largest == 0.0) largest = 1.0;
 
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  const auto add = [&hash](double number, double resolution) {
-    // The golden section keeps simple fractions away from the rounding's edge, where one ulp would decide.
-    const auto rounded = static_cast<std::int64_t>(
-        std::floor(std::clamp(number, -1e9, 1e9) / resolution + 0.6180339887498949));
-    for (int byte = 0; byte < 8; ++byte) {
-      hash ^= (static_cast<std::uint64_t>(rounded) >> (8 * byte)) & 0xffu;
-      hash *= 0x100000001b3u;
-    }
-  };
+  ContentHash hash;
   for (std::size_t i = 0; i < spectrum.lambda().size(); ++i) {
-    add(spectrum.lambda()[i], 1e-6);
-    add(spectrum.value()[i] / largest, 1e-7);
+    hash.add(std::clamp(spectrum.lambda()[i], -1e9, 1e9), 1e-6);
+    hash.add(spectrum.value()[i] / largest, 1e-7);
   }
-
-  std::string text(16, '0');
-  for (int digit = 0; digit < 16; ++digit) text[digit] = "0123456789abcdef"[(hash >> (60 - 4 * digit)) & 15];
-  return text;
+  return hash.text();
 }
 
 }  // namespace photopic

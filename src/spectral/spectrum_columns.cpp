@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "error.h"
 #include "spectral/spectrum_readers.h"
@@ -84,13 +85,21 @@ double number_at(const std::string& name, std::size_t line, std::string_view fie
                    "correct the row");
 }
 
-SpectrumRow parse_row(const std::string& name, const Line& line) {
+/// The line's numbers, of which there must be as many as expected; 0: two or more.
+std::vector<double> parse_row(const std::string& name, const Line& line, std::size_t expected) {
   const auto fields = split_fields(line.text);
-  if (fields.size() != 2)
+  if (expected == 2 && fields.size() != 2)
     throw InputError(place(name, line.number),
                      fmt::format("{} column(s) where two are expected", fields.size()),
                      "give wavelength [nm] and one value");
-  return {number_at(name, line.number, fields[0]), number_at(name, line.number, fields[1]), line.number};
+  if (fields.size() < 2 || (expected > 0 && fields.size() != expected))
+    throw InputError(place(name, line.number),
+                     fmt::format("{} column(s) where {} are expected", fields.size(),
+                                 expected > 0 ? fmt::format("{}", expected) : "two or more"),
+                     "give wavelength [nm] and as many values in every row");
+  std::vector<double> numbers;
+  for (const std::string& field : fields) numbers.push_back(number_at(name, line.number, field));
+  return numbers;
 }
 
 struct Token {
@@ -142,41 +151,82 @@ std::span<const Token> section(const std::string& name, const std::vector<Token>
   return {begin + 1, end};
 }
 
+/// A CGATS file's wavelengths [nm], equally spaced, and what its values are to be divided by.
+struct SpectralRange {
+  double start, stop, bands, norm;
+};
+
+SpectralRange spectral_range(const std::string& name, const std::vector<Token>& tokens) {
+  const SpectralRange range{
+      required_number(name, tokens, "SPECTRAL_START_NM"), required_number(name, tokens, "SPECTRAL_END_NM"),
+      required_number(name, tokens, "SPECTRAL_BANDS"),
+      value_of(tokens, "SPECTRAL_NORM") ? required_number(name, tokens, "SPECTRAL_NORM") : 1.0};
+  if (!(range.stop > range.start) || !(range.bands >= 2.0 && range.bands <= 1e6) ||
+      range.bands != std::floor(range.bands) || !(range.norm > 0.0))
+    throw InputError(name, "the spectral range, bands or norm make no sense",
+                     "correct the SPECTRAL_… keywords");
+  return range;
+}
+
+/// One data set's fields that begin with SPEC.
+std::vector<SpectrumRow> spectral_values(const std::string& name, std::span<const Token> fields,
+                                         std::span<const Token> data, const SpectralRange& range) {
+  std::vector<SpectrumRow> rows;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!fields[i].text.starts_with("SPEC")) continue;
+    const double lambda =
+        range.start + (range.stop - range.start) * static_cast<double>(rows.size()) / (range.bands - 1.0);
+    rows.push_back({lambda, number_at(name, data[i].line, data[i].text) / range.norm, data[i].line});
+  }
+  if (static_cast<double>(rows.size()) != range.bands)
+    throw InputError(name, fmt::format("{} spectral fields, but SPECTRAL_BANDS {}", rows.size(), range.bands),
+                     "make them agree");
+  return rows;
+}
+
 }  // namespace
 
 std::vector<SpectrumRow> read_columns(const std::string& name, std::string_view text) {
   const auto lines = split_lines(text);
   std::vector<SpectrumRow> rows;
-  for (std::size_t i = first_row(lines); i < lines.size(); ++i) rows.push_back(parse_row(name, lines[i]));
+  for (std::size_t i = first_row(lines); i < lines.size(); ++i) {
+    const auto numbers = parse_row(name, lines[i], 2);
+    rows.push_back({numbers[0], numbers[1], lines[i].number});
+  }
   return rows;
 }
 
-std::vector<SpectrumRow> read_cgats(const std::string& name, std::string_view text) {
-  const auto tokens = split_tokens(text);
-  const double start = required_number(name, tokens, "SPECTRAL_START_NM");
-  const double stop = required_number(name, tokens, "SPECTRAL_END_NM");
-  const double bands = required_number(name, tokens, "SPECTRAL_BANDS");
-  const double norm =
-      value_of(tokens, "SPECTRAL_NORM") ? required_number(name, tokens, "SPECTRAL_NORM") : 1.0;
-  if (!(stop > start) || !(bands >= 2.0 && bands <= 1e6) || bands != std::floor(bands) || !(norm > 0.0))
-    throw InputError(name, "the spectral range, bands or norm make no sense",
-                     "correct the SPECTRAL_… keywords");
-
-  // One set of fields, of which those that begin with SPEC are the spectrum.
-  const auto fields = section(name, tokens, "DATA_FORMAT"), data = section(name, tokens, "DATA");
-  if (data.size() != fields.size())
-    throw InputError(name, fmt::format("{} values for {} fields", data.size(), fields.size()),
-                     "give one data set with a value for every field");
-  std::vector<SpectrumRow> rows;
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (!fields[i].text.starts_with("SPEC")) continue;
-    const double lambda = start + (stop - start) * static_cast<double>(rows.size()) / (bands - 1.0);
-    rows.push_back({lambda, number_at(name, data[i].line, data[i].text) / norm, data[i].line});
+std::vector<std::vector<SpectrumRow>> read_many_columns(const std::string& name, std::string_view text) {
+  const auto lines = split_lines(text);
+  std::vector<std::vector<SpectrumRow>> spectra;
+  for (std::size_t i = first_row(lines); i < lines.size(); ++i) {
+    const auto numbers = parse_row(name, lines[i], spectra.empty() ? 0 : spectra.size() + 1);
+    spectra.resize(numbers.size() - 1);
+    for (std::size_t c = 0; c < spectra.size(); ++c)
+      spectra[c].push_back({numbers[0], numbers[c + 1], lines[i].number});
   }
-  if (static_cast<double>(rows.size()) != bands)
-    throw InputError(name, fmt::format("{} spectral fields, but SPECTRAL_BANDS {}", rows.size(), bands),
-                     "make them agree");
-  return rows;
+  return spectra;
+}
+
+std::vector<std::vector<SpectrumRow>> read_cgats_sets(const std::string& name, std::string_view text) {
+  const auto tokens = split_tokens(text);
+  const SpectralRange range = spectral_range(name, tokens);
+  const auto fields = section(name, tokens, "DATA_FORMAT"), data = section(name, tokens, "DATA");
+  if (fields.empty() || data.empty() || data.size() % fields.size() != 0)
+    throw InputError(name, fmt::format("{} values for {} fields", data.size(), fields.size()),
+                     "give every data set a value for every field");
+  std::vector<std::vector<SpectrumRow>> sets;
+  for (std::size_t first = 0; first < data.size(); first += fields.size())
+    sets.push_back(spectral_values(name, fields, data.subspan(first, fields.size()), range));
+  return sets;
+}
+
+std::vector<SpectrumRow> read_cgats(const std::string& name, std::string_view text) {
+  auto sets = read_cgats_sets(name, text);
+  if (sets.size() > 1)
+    throw InputError(name, fmt::format("{} data sets where one is expected", sets.size()),
+                     "keep the set of one spectrum");
+  return std::move(sets[0]);
 }
 
 }  // namespace photopic

@@ -85,6 +85,13 @@ std::string lower_extension(const std::filesystem::path& file) {
   return extension;
 }
 
+void check_reflectance(const std::string& name, const std::vector<SpectrumRow>& rows) {
+  for (const SpectrumRow& row : rows)
+    if (row.value > 1.0)
+      throw InputError(place(name, row.line), fmt::format("a reflectance of {} is above 1", row.value),
+                       "divide percentages by 100");
+}
+
 }  // namespace
 
 Spectrum parse_spectrum(std::string_view text, const std::filesystem::path& folder, Beyond beyond) {
@@ -104,6 +111,26 @@ TabulatedSpectrum read_spectrum_file(const std::filesystem::path& file, Beyond b
                     : extension == ".spdx" ? read_spdx
                                            : read_columns;
   return table_from_rows(name, read(name, text), beyond);
+}
+
+std::vector<TabulatedSpectrum> read_reflectance_file(const std::filesystem::path& file) {
+  constexpr std::size_t kMost = 1000;
+  const std::string text = read_text(file), name = file.string(), extension = lower_extension(file);
+  if (extension == ".json" || extension == ".spdx")
+    throw InputError(name, "reflectances are not read from this format",
+                     "give columns of text (nm, then one reflectance a column) or a CGATS .sp");
+  const auto columns = extension == ".sp" ? read_cgats_sets(name, text) : read_many_columns(name, text);
+  if (columns.empty())
+    throw InputError(name, "holds no reflectances", "give nm and one reflectance a column");
+  if (columns.size() > kMost)
+    throw InputError(name, fmt::format("holds {} reflectances", columns.size()),
+                     fmt::format("give {} at the most", kMost));
+  std::vector<TabulatedSpectrum> reflectances;
+  for (const auto& rows : columns) {
+    check_reflectance(name, rows);
+    reflectances.push_back(table_from_rows(name, rows, Beyond::end_value));
+  }
+  return reflectances;
 }
 
 }  // namespace photopic

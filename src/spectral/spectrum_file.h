@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include "spectral/spectrum.h"
 
@@ -18,5 +19,10 @@ Spectrum parse_spectrum(std::string_view text, const std::filesystem::path& fold
 /// `wavelength,…` header), LSPDD's JSON (`spectraldata`), CGATS .sp, IES TM-27 .spdx.
 /// @throws InputError with the line of the first bad row
 TabulatedSpectrum read_spectrum_file(const std::filesystem::path& file, Beyond beyond);
+
+/// Reads measured reflectances, each a table from 0 to 1: columns of text (nm, then one reflectance a column;
+/// otherwise as above), or a CGATS .sp with a data set for each.
+/// @throws InputError with the line of the first bad row; percentages are refused, and more than 1000
+std::vector<TabulatedSpectrum> read_reflectance_file(const std::filesystem::path& file);
 
 }  // namespace photopic

@@ -24,8 +24,14 @@ struct SpectrumRow {
 /// end with one that begins with "wavelength" (LSPDD's CSV).
 std::vector<SpectrumRow> read_columns(const std::string& name, std::string_view text);
 
+/// The same with one or more columns of values. @return the rows of each
+std::vector<std::vector<SpectrumRow>> read_many_columns(const std::string& name, std::string_view text);
+
 /// CGATS.17 as Argyll and colord write it: SPECTRAL_START_NM, SPECTRAL_END_NM, SPECTRAL_BANDS, one data set.
 std::vector<SpectrumRow> read_cgats(const std::string& name, std::string_view text);
+
+/// The same with one or more data sets. @return the rows of each
+std::vector<std::vector<SpectrumRow>> read_cgats_sets(const std::string& name, std::string_view text);
 
 /// LSPDD's JSON: an object (or an array of one) whose `spectraldata` holds the rows, as text or as JSON
 /// pairs. Lines are counted within it. {"nm": [...], "value": [...]} is read too.

@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 constexpr const char* kFormat = "photopic wavelength distribution";
 
 Json to_json(const WavelengthDistribution& distribution) {
@@ -28,6 +28,13 @@ Json to_json(const WavelengthDistribution& distribution) {
   json["spectrum"] = distribution.spectrum;
   json["spectrum_digest"] = distribution.spectrum_digest;
   json["objective"] = distribution.objective;
+  const WavelengthDistribution::Targets& targets = distribution.targets;
+  json["targets"] = {{"white", targets.white},
+                     {"constructed", targets.constructed},
+                     {"seed", targets.seed},
+                     {"measured", targets.measured},
+                     {"measured_file", targets.measured_file},
+                     {"measured_digest", targets.measured_digest}};
   json["optimize_seconds"] = distribution.optimize_seconds;
   json["value"] = distribution.value;
   json["baselines"] = {{"uniform", distribution.uniform_value},
@@ -37,6 +44,7 @@ Json to_json(const WavelengthDistribution& distribution) {
   const auto value = distribution.base.value();
   json["base"] = {{"nm", std::vector<double>(x.begin(), x.end())},
                   {"density", std::vector<double>(value.begin(), value.end())}};
+  json["stepped"] = distribution.stepped;
   json["components"] = Json::array();
   for (const auto& component : distribution.components)
     json["components"].push_back({{"backwards", component.backwards}, {"nodes", component.nodes}});
@@ -80,6 +88,10 @@ class Place {
     if (!std::isfinite(value)) refuse("the number is not finite");
     return value;
   }
+  std::uint64_t count() const {
+    if (!json_->is_number_unsigned()) refuse("expected a whole number");
+    return json_->get<std::uint64_t>();
+  }
   std::vector<double> numbers() const {
     std::vector<double> values(array_size());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = at(i).number();
@@ -105,47 +117,71 @@ PiecewiseLinearDensity read_base(const Place& place) {
   }
 }
 
-WavelengthDistribution::Component read_component(const Place& place) {
+WavelengthDistribution::Component read_component(const Place& place, bool stepped) {
   place.only_keys({"backwards", "nodes"});
   const Place nodes = place.at("nodes");
   WavelengthDistribution::Component component{nodes.numbers(), place.at("backwards").truth()};
-  if (component.nodes.size() < 2) nodes.refuse("a density needs two nodes or more");
-  for (std::size_t i = 0; i < component.nodes.size(); ++i)
-    if (!(component.nodes[i] > 0.0)) nodes.at(i).refuse("a node must be positive");
+  const std::vector<double>& values = component.nodes;
+  if (values.size() < (stepped ? 1 : 2)) nodes.refuse("a density needs more nodes");
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (stepped ? !(values[i] >= 0.0) : !(values[i] > 0.0)) nodes.at(i).refuse("a node must be positive");
+  if (std::all_of(values.begin(), values.end(), [](double v) { return v == 0.0; }))
+    nodes.refuse("a density must not be zero everywhere");
   return component;
 }
 
-std::vector<WavelengthDistribution::Component> read_components(const Place& place) {
+/// Every wavelength must be drawn by one density at least, or the estimate is biased.
+void check_no_gap(const Place& place, const std::vector<WavelengthDistribution::Component>& components) {
+  for (std::size_t i = 0; i < components[0].nodes.size(); ++i)
+    if (std::all_of(components.begin(), components.end(), [i](const auto& c) { return c.nodes[i] == 0.0; }))
+      place.refuse("all densities are zero in cell " + std::to_string(i));
+}
+
+std::vector<WavelengthDistribution::Component> read_components(const Place& place, bool stepped) {
   const std::size_t count = place.array_size();
   if (count < 1 || count > 16) place.refuse("there must be 1 to 16 densities, not " + std::to_string(count));
   std::vector<WavelengthDistribution::Component> components;
   for (std::size_t i = 0; i < count; ++i) {
-    components.push_back(read_component(place.at(i)));
+    components.push_back(read_component(place.at(i), stepped));
     if (components[i].nodes.size() != components[0].nodes.size())
       place.at(i).refuse("all densities must have equally many nodes");
   }
+  check_no_gap(place, components);
   return components;
 }
 
+WavelengthDistribution::Targets read_targets(const Place& place) {
+  place.only_keys({"white", "constructed", "seed", "measured", "measured_file", "measured_digest"});
+  return {.white = place.at("white").text(),
+          .constructed = static_cast<int>(place.at("constructed").count()),
+          .seed = place.at("seed").count(),
+          .measured = static_cast<int>(place.at("measured").count()),
+          .measured_file = place.at("measured_file").text(),
+          .measured_digest = place.at("measured_digest").text()};
+}
+
 WavelengthDistribution from_json(const Place& root) {
-  root.only_keys({"format", "version", "spectrum", "spectrum_digest", "objective", "optimize_seconds",
-                  "value", "baselines", "base", "components"});
+  root.only_keys({"format", "version", "spectrum", "spectrum_digest", "objective", "targets",
+                  "optimize_seconds", "value", "baselines", "base", "stepped", "components"});
   if (root.at("format").text() != kFormat)
     root.at("format").refuse(std::string("expected \"") + kFormat + "\"");
   if (root.at("version").number() != kVersion)
     root.at("version").refuse("this program knows version " + std::to_string(kVersion) + " only");
   const Place baselines = root.at("baselines");
   baselines.only_keys({"uniform", "visible", "illuminant"});
+  const bool stepped = root.at("stepped").truth();
   return {.base = read_base(root.at("base")),
-          .components = read_components(root.at("components")),
+          .components = read_components(root.at("components"), stepped),
           .spectrum = root.at("spectrum").text(),
           .spectrum_digest = root.at("spectrum_digest").text(),
           .objective = root.at("objective").text(),
+          .targets = read_targets(root.at("targets")),
           .optimize_seconds = root.at("optimize_seconds").number(),
           .value = root.at("value").number(),
           .illuminant_value = baselines.at("illuminant").number(),
           .visible_value = baselines.at("visible").number(),
-          .uniform_value = baselines.at("uniform").number()};
+          .uniform_value = baselines.at("uniform").number(),
+          .stepped = stepped};
 }
 
 }  // namespace

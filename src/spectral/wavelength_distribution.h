@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,9 +22,21 @@ PiecewiseLinearDensity base_density(const TabulatedSpectrum& emission, double de
 /// driven by one u: λ_k = B⁻¹(Q_k⁻¹(u_k)), u_k = u or, where the density runs backwards, 1 − u.
 struct WavelengthDistribution {
   /// One density on t: node values > 0 (any scale; normalised on use) at t = i/(n − 1), and its orientation.
+  /// Of a stepped distribution the values are those of n cells, and only their sum over the components must
+  /// be > 0 in each.
   struct Component {
     std::vector<double> nodes;
     bool backwards = false;
+  };
+
+  /// What an optimisation aimed at.
+  struct Targets {
+    std::string white = "D65";         ///< of ΔE; or "illuminant"
+    int constructed = 0;               ///< the optimiser's own reflectances, R = 1 among them
+    std::uint64_t seed = 0;            ///< theirs, and the search's
+    int measured = 0;                  ///< further ones that the user gave
+    std::string measured_file = {};    ///< as the user named it
+    std::string measured_digest = {};  ///< reflectances_digest()
   };
 
   PiecewiseLinearDensity base;
@@ -33,10 +46,17 @@ struct WavelengthDistribution {
   std::string spectrum = {};         ///< as the user named it
   std::string spectrum_digest = {};  ///< digest() of the tabulated emission
   std::string objective = {};        ///< "asymptotic" or "mean-delta-e"
-  double optimize_seconds = 0.0;     ///< wall clock of the search
-  double value = 0.0;                ///< the objective's value reached [ΔE]
+  Targets targets = {};
+  double optimize_seconds = 0.0;  ///< wall clock of the search
+  double value = 0.0;             ///< the objective's value reached [ΔE]
   double illuminant_value = 0.0, visible_value = 0.0, uniform_value = 0.0;  ///< the baselines' [ΔE]
+
+  bool stepped = false;  ///< the densities are constant on equal cells of t, rather than linear
 };
+
+/// The q_k, all with the same knots.
+/// @throws std::invalid_argument when there are none, they differ in their number of nodes, or have too few
+std::vector<PiecewiseLinearDensity> densities_on_t(const WavelengthDistribution& distribution);
 
 /// The distribution's JSON file: versioned, self-contained, written whole or not at all.
 /// @throws InputError when it cannot be written, read, or does not hold what it should

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace photopic {
 namespace {
@@ -110,24 +109,6 @@ std::vector<double> raw_breakpoints(const OptimizedWavelengths& s, std::span<con
   return s.breakpoints(knots);
 }
 
-/// The densities on t, with a knot at each node.
-std::vector<PiecewiseLinearDensity> node_densities(const WavelengthDistribution& distribution) {
-  if (distribution.components.empty())
-    throw std::invalid_argument("a wavelength distribution has no densities");
-  const std::size_t nodes = distribution.components[0].nodes.size();
-  if (nodes < 2) throw std::invalid_argument("a density has fewer than two nodes");
-  std::vector<double> t(nodes);
-  for (std::size_t i = 0; i < nodes; ++i) t[i] = static_cast<double>(i) / static_cast<double>(nodes - 1);
-
-  std::vector<PiecewiseLinearDensity> densities;
-  for (const auto& component : distribution.components) {
-    if (component.nodes.size() != nodes)
-      throw std::invalid_argument("the densities differ in their number of nodes");
-    densities.emplace_back(t, component.nodes);
-  }
-  return densities;
-}
-
 std::vector<bool> orientations(const WavelengthDistribution& distribution) {
   std::vector<bool> backwards;
   for (const auto& component : distribution.components) backwards.push_back(component.backwards);
@@ -138,7 +119,7 @@ std::vector<bool> orientations(const WavelengthDistribution& distribution) {
 
 OptimizedWavelengths::OptimizedWavelengths(const WavelengthDistribution& distribution)
     : base_(distribution.base),
-      densities_(node_densities(distribution)),
+      densities_(densities_on_t(distribution)),
       backwards_(orientations(distribution)),
       composed_(base_, densities_, backwards_) {}
 

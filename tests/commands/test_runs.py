@@ -25,6 +25,10 @@ class Render(CommandTest):
     def render(self, name, *options, sampler="uniform"):
         self.photopic("render", self.scene, "-o", name, "--sampler", sampler, "--spp", "4", "--quiet", *options)
 
+    def mean_difference(self, first, second):
+        self.photopic("diff", first, second, "--json", "diff.json")
+        return self.read_json("diff.json")["runs"][0]["mean_delta_e"]
+
     def max_difference(self, first, second):
         self.photopic("diff", first, second, "--json", "diff.json")
         return self.read_json("diff.json")["runs"][0]["max_delta_e"]
@@ -56,6 +60,20 @@ class Render(CommandTest):
         self.assertEqual(self.max_difference("one.exr", "two.exr"), 0)
         self.assertEqual(self.max_difference("one.exr", "small.exr"), 0)
         self.assertGreater(self.max_difference("one.exr", "other.exr"), 0)
+
+    def test_time_and_target_error_end_a_render(self):
+        self.photopic("render", self.scene, "-o", "a.exr", "--sampler", "uniform", "--time", "0.5", "--json", "a.json")
+        run = self.read_json("a.json")
+        self.assertGreater(run["mean_spp"], 64)
+        self.assertGreater(run["render_seconds"], 0.5)
+        self.assertIsNone(run["expected_mean_delta_e"])
+        self.photopic(
+            "render", self.scene, "-o", "b.exr", "--sampler", "uniform", "--target-error", "3", "--json", "b.json"
+        )
+        run = self.read_json("b.json")
+        self.assertLessEqual(run["expected_mean_delta_e"], 3)
+        self.photopic("render", self.scene, "-o", "c.exr", "--sampler", "illuminant", "--spp", "4096", "--seed", "9")
+        self.assertLess(self.mean_difference("c.exr", "b.exr"), 3.3)
 
     def test_xyz_holds_the_same_colors(self):
         self.render("a.exr", "-o", "a.png")

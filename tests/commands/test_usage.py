@@ -1,5 +1,6 @@
 """Help, and what is refused: exit code 1, one line on stderr that says what and where, nothing written."""
 
+import base64
 import json
 import unittest
 
@@ -9,9 +10,11 @@ from tiny_scene import write_tiny_scene
 COMMANDS = {
     "render": "--output --spp --sampler --wavelengths --emitter --distribution --resolution --camera --max-depth "
     "--sequence --exposure --seed --threads --quiet --json --stats --batch-size --no-cache",
-    "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet",
+    "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet "
+    "--compare-wavelengths --nodes --reflectances",
     "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter",
     "diff": "--json --threads",
+    "info": "--emitter --resolution --camera --threads --json",
     "spectrum": "--plot --json --quiet",
 }
 
@@ -110,6 +113,40 @@ class Refused(CommandTest):
         ]:
             self.assert_refused(command, name, "written")
         self.assertEqual({path: path.read_bytes() for path in self.folder.iterdir()}, before)
+
+    def test_files_that_a_scene_names_are_not_overwritten(self):
+        scene = json.loads(self.scene.read_text())
+        buffer = scene["buffers"][0]["uri"].split(",")[1]
+        scene["buffers"][0]["uri"] = "the%20data.json"
+        scene["images"] = [{"uri": "unused.png"}]
+        scene["materials"][0]["extras"] = {"reflectance_spectrum": "grey.csv"}
+        (self.folder / "the data.json").write_bytes(base64.b64decode(buffer))
+        (self.folder / "unused.png").write_text("precious")
+        (self.folder / "grey.csv").write_text("400 0.5\n700 0.5\n")
+        (self.folder / "apart.gltf").write_text(json.dumps(scene))
+        render = ["render", "apart.gltf", "--sampler", "uniform", "--spp", "1", "--quiet"]
+        before = {path: path.read_bytes() for path in self.folder.iterdir()}
+        self.assert_refused(render + ["-o", "new.exr", "--json", "the data.json"], "the data.json", "overwritten")
+        self.assert_refused(render + ["-o", "unused.png"], "unused.png", "overwritten")
+        self.assert_refused(render + ["-o", "new.exr", "--json", "grey.csv"], "grey.csv", "overwritten")
+        self.assert_refused(["compare", "apart.gltf", "--json", "grey.csv"], "grey.csv", "overwritten")
+        self.assert_refused(["info", "apart.gltf", "--json", "grey.csv"], "grey.csv", "overwritten")
+        self.assertEqual({path: path.read_bytes() for path in self.folder.iterdir()}, before)
+
+    def test_links_are_followed_when_nothing_is_there_yet(self):
+        (self.folder / "far").mkdir()
+        (self.folder / "near.json").symlink_to("middle.json")
+        (self.folder / "middle.json").symlink_to("far/end.json")
+        self.photopic("spectrum", "cie:A", "--quiet", "--json", "near.json")
+        self.assertTrue((self.folder / "near.json").is_symlink())
+        self.assertFalse((self.folder / "far" / "end.json").is_symlink())
+        self.assertEqual(self.read_json("far/end.json")["spectrum"], "cie:A")
+        (self.folder / "lost.json").symlink_to("nowhere/end.json")
+        self.assert_refused(["spectrum", "cie:A", "--json", "lost.json"], "lost.json", "nowhere")
+        (self.folder / "loop.json").symlink_to("loop.json")
+        self.assert_refused(["spectrum", "cie:A", "--json", "loop.json"], "loop.json", "link")
+        (self.folder / "one.json").symlink_to("new.json")
+        self.assert_refused(["optimize", "cie:A", "-o", "new.json", "--json", "one.json"], "one.json", "twice")
 
     def test_bad_inputs_are_named(self):
         (self.folder / "broken.gltf").write_text('{"asset": {"version": ')

@@ -1,12 +1,12 @@
-#include "optimize/solver.h"
-
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <random>
 
+#include "optimize/quick.h"
 #include "optimize/reflectance_set.h"
 #include "optimize/sampler_value.h"
 #include "optimize/target_table.h"
@@ -19,14 +19,7 @@
 namespace photopic {
 namespace {
 
-OptimizeResult quick(const TabulatedSpectrum& emission, int wavelengths = 4,
-                     Objective objective = Objective::asymptotic) {
-  OptimizeOptions options;
-  options.wavelengths = wavelengths;
-  options.objective = objective;
-  options.effort = Effort::quick;
-  return optimize_distribution(emission, options);
-}
+using test::quick;
 
 /// Reflectances of another family than the targets: edges and bands with corners, as wide as those of paints.
 std::vector<Spectrum> held_back_reflectances() {
@@ -125,28 +118,6 @@ TEST(Solver, ServesEveryNumberOfWavelengths) {
   }
 }
 
-TEST(Solver, SurvivesHardLamps) {
-  for (const auto& [name, emission] : test::hard_lamps()) {
-    const WavelengthDistribution found = quick(emission).distribution;
-    EXPECT_TRUE(std::isfinite(found.value)) << name;
-    for (const double baseline : {found.uniform_value, found.visible_value, found.illuminant_value}) {
-      EXPECT_TRUE(std::isfinite(baseline)) << name;
-      EXPECT_LE(found.value, baseline) << name;
-    }
-    const Xyz mean = test::mean_estimate(OptimizedWavelengths(found), emission);
-    const Xyz exact = emission_xyz(emission, Observer::cie1931());
-    EXPECT_NEAR(mean.x / exact.x, 1.0, 1e-5) << name;
-    EXPECT_NEAR(mean.y / exact.y, 1.0, 1e-5) << name;
-    EXPECT_NEAR(mean.z / exact.z, 1.0, 1e-5) << name;
-  }
-}
-
-TEST(Solver, ScaleOfTheLampDoesNotMatter) {
-  const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("FL1"));
-  const double value = quick(emission).distribution.value;
-  EXPECT_NEAR(quick(emission.scaled(0x1p-90)).distribution.value, value, 1e-6 * value);
-}
-
 TEST(Solver, SeveralLampsAreServedTogether) {
   const std::vector<TabulatedSpectrum> raw{tabulate_emission(*cie_illuminant("LED-B3")),
                                            tabulate_emission(*cie_illuminant("FL11"))};
@@ -200,21 +171,71 @@ TEST(Solver, SeveralLampsAreUnbiasedOneByOne) {
   }
 }
 
-class NeverWorse : public testing::TestWithParam<int> {};
+/// A filter's edge, which no smooth reflectance has.
+Spectrum edge_at(double nm) {
+  return TabulatedSpectrum({nm - 1.0, nm + 1.0}, {0.02, 0.9}, Beyond::end_value);
+}
 
-/// Than the samplers that need no optimisation, by the objective, under every lamp of the standard. (Eight
-/// wavelengths take long: every sixteenth lamp.)
-TEST_P(NeverWorse, ThanTheBaselines) {
-  const std::vector<std::string_view> names = cie_illuminant_names();
-  for (std::size_t i = 0; i < names.size(); i += GetParam() == 8 ? 16 : 1) {
-    const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant(names[i]));
-    const WavelengthDistribution found = quick(emission, GetParam()).distribution;
-    EXPECT_LE(found.value, found.illuminant_value) << names[i];
-    EXPECT_LE(found.value, found.visible_value) << names[i];
+TEST(Solver, MeasuredReflectancesAreServedWhereGiven) {
+  const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("LED-B3"));
+  OptimizeOptions options;
+  options.effort = Effort::quick;
+  const WavelengthDistribution without = optimize_distribution(emission, options).distribution;
+  options.target_count = 1;
+  options.reflectances = {edge_at(500.0), edge_at(560.0), edge_at(610.0)};
+  const WavelengthDistribution with = optimize_distribution(emission, options).distribution;
+  const auto value = [&](const WavelengthDistribution& found) {
+    return sampler_value(OptimizedWavelengths(found),
+                         {Objective::asymptotic, White::d65, emission, {emission}, options.reflectances});
+  };
+  EXPECT_LT(value(with), 0.9 * value(without));
+  EXPECT_EQ(with.targets.constructed, 1);
+  EXPECT_EQ(with.targets.measured, 3);
+  EXPECT_EQ(with.targets.measured_digest, reflectances_digest(options.reflectances));
+  EXPECT_EQ(without.targets.measured, 0);
+  EXPECT_EQ(without.targets.measured_digest, "");
+}
+
+TEST(ReflectancesDigest, TellsValuesApart) {
+  const std::vector<Spectrum> half{ConstantSpectrum{0.5}}, table{edge_at(500.0)}, moved{edge_at(500.5)};
+  EXPECT_EQ(reflectances_digest(half).size(), 16u);
+  EXPECT_NE(reflectances_digest(half), reflectances_digest(std::vector<Spectrum>{ConstantSpectrum{0.25}}));
+  EXPECT_NE(reflectances_digest(table), reflectances_digest(moved));
+  EXPECT_EQ(reflectances_digest(table), reflectances_digest(std::vector<Spectrum>{edge_at(500.0)}));
+  EXPECT_EQ(reflectances_digest({}), "");
+}
+
+TEST(Solver, NodesAreAsAsked) {
+  const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("FL2"));
+  OptimizeOptions options;
+  options.effort = Effort::quick;
+  double previous = 1e9;
+  for (const int nodes : {3, 12, 48, 0}) {
+    options.nodes = nodes;
+    const WavelengthDistribution found = optimize_distribution(emission, options).distribution;
+    if (nodes >= 48) {
+      EXPECT_EQ(found.components[0].nodes.size(), static_cast<std::size_t>(nodes));
+    }
+    EXPECT_LE(found.value, std::min(found.visible_value, found.illuminant_value)) << nodes;
+    EXPECT_LT(found.value, previous) << nodes;
+    previous = found.value;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Wavelengths, NeverWorse, testing::Values(1, 4, 8));
+TEST(Solver, StopsWhenItIsTold) {
+  std::atomic<bool> stop = false;
+  OptimizeOptions options;
+  options.effort = Effort::thorough;
+  options.stop = &stop;
+  double last = 0.0;
+  const auto report = [&](double fraction) {
+    last = fraction;
+    if (fraction > 0.001) stop = true;
+  };
+  EXPECT_THROW(optimize_distribution(tabulate_emission(*cie_illuminant("D65")), options, report),
+               SearchStopped);
+  EXPECT_LT(last, 0.1);
+}
 
 TEST(Solver, RefusesWhatCannotBeDone) {
   const TabulatedSpectrum dark({400.0, 700.0}, {0.0, 0.0}, Beyond::zero);
@@ -223,6 +244,13 @@ TEST(Solver, RefusesWhatCannotBeDone) {
   EXPECT_THROW(quick(light, 0), std::invalid_argument);
   EXPECT_THROW(quick(light, 17), std::invalid_argument);
   EXPECT_THROW(optimize_distribution(std::span<const TabulatedSpectrum>{}, {}), std::invalid_argument);
+  OptimizeOptions options;
+  for (const int nodes : {-1, 1, 2, 1026}) {
+    options.nodes = nodes;
+    EXPECT_THROW(optimize_distribution(light, options), std::invalid_argument) << nodes;
+  }
+  options.nodes = 0, options.target_count = 0;
+  EXPECT_THROW(optimize_distribution(light, options), std::invalid_argument);
 }
 
 TEST(Solver, ReportsProgressUpToTheEnd) {

@@ -125,7 +125,7 @@ TEST_F(SpectrumFile, Cgats) {
   expect_error("a.sp", cgats("0", "x 1 2 3"), "make no sense");
   expect_error("a.sp", cgats("nan", "x 1 2 3"), "make no sense");
   expect_error("a.sp", cgats("3", "x 1 2"), "3 values for 4 fields");
-  expect_error("a.sp", cgats("3", "x 1 2 3\ny 4 5 6"), "8 values for 4 fields");
+  expect_error("a.sp", cgats("3", "x 1 2 3\ny 4 5 6"), "2 data sets");
   expect_error("a.sp", cgats("3", "x 1\ntwo 3"), "a.sp:16: 'two'");
   expect_error("a.sp", cgats("3", "x 1 -2 3"), "negative");
   expect_error("a.sp", "", "SPECTRAL_START_NM is missing");

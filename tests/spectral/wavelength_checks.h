@@ -70,6 +70,18 @@ inline std::vector<WavelengthSampler> all_samplers(const TabulatedSpectrum& emis
           OptimizedWavelengths(random_distribution(emission, count, 31, seed))};
 }
 
+/// Noise and a line in as many rows as a spectrometer may give.
+inline TabulatedSpectrum dense_lamp(int rows) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> uniform;
+  std::vector<double> nm, value;
+  for (int i = 0; i < rows; ++i) {
+    nm.push_back(380.0 + 400.0 * i / (rows - 1));
+    value.push_back(uniform(random) + (std::abs(nm.back() - 546.1) < 0.3 ? 30.0 : 0.0));
+  }
+  return tabulate_emission(TabulatedSpectrum(std::move(nm), std::move(value), Beyond::zero));
+}
+
 inline std::vector<std::pair<std::string, TabulatedSpectrum>> hard_lamps() {
   const auto table = [](std::vector<double> nm, std::vector<double> value) {
     return tabulate_emission(TabulatedSpectrum(std::move(nm), std::move(value), Beyond::zero));
@@ -78,14 +90,22 @@ inline std::vector<std::pair<std::string, TabulatedSpectrum>> hard_lamps() {
       {"0.01 nm line", tabulate_emission(LineSpectrum{546.1, 0.01})},
       {"two samples", table({450.0, 650.0}, {1.0, 2.0})},
       {"ends inside", table({500.0, 505.0, 600.0}, {3.0, 1.0, 5.0})},
+      {"zero outside", table({360.0, 430.0, 431.0, 660.0, 661.0, 830.0}, {0, 0, 1, 2, 0, 0})},
+      {"nearly all ultraviolet", table({200.0, 365.0, 375.0, 400.0, 401.0}, {9.0, 9.0, 9.0, 1.0, 0.0})},
       {"dark gaps",
        table({440.0, 441.0, 442.0, 540.0, 541.0, 542.0, 610.0, 611.0, 612.0}, {0, 5, 0, 0, 9, 0, 0, 4, 0})},
+      {"three 0.01 nm lines", table({435.83, 435.84, 435.85, 546.06, 546.07, 546.08, 611.6, 611.61, 611.62},
+                                    {0, 5, 0, 0, 9, 0, 0, 4, 0})},
       {"steps", table({400.0, 450.0, 450.0, 550.0, 550.0, 700.0}, {1, 1, 0, 0, 2, 2})},
       {"1e-30", table({380.0, 560.0, 780.0}, {1e-30, 2e-30, 1e-30})},
-      {"1e30", table({380.0, 560.0, 780.0}, {1e30, 2e30, 1e30})}};
-  for (const double ratio : {1e-6, 1e6})
-    lamps.emplace_back("daylight beside a line, 1:" + std::to_string(ratio),
-                       table({360.0, 531.99, 532.0, 532.01, 830.0}, {1.0, 1.1, 1.1 + ratio, 1.1, 1.0}));
+      {"1e30", table({380.0, 560.0, 780.0}, {1e30, 2e30, 1e30})},
+      {"20,000 samples", dense_lamp(20000)}};
+  const std::vector<TabulatedSpectrum> pair{
+      table({360.0, 450.0, 560.0, 830.0}, {0.5, 1.1, 1.0, 0.6}),
+      tabulate_emission(LineSpectrum{532.0, 0.01})};  // of power 400 and 0.01
+  for (const double ratio : {1e-6, 1e-3, 1.0, 1e3, 1e6})
+    lamps.emplace_back("daylight and a line of this times its power: " + std::to_string(ratio),
+                       mix_emissions(pair, std::vector{1.0, 4e4 * ratio}));
   return lamps;
 }
 

@@ -86,6 +86,7 @@ TEST_F(DistributionFile, ComesBackToTheLastBit) {
   good_.objective = "asymptotic";
   good_.optimize_seconds = 0.1;
   good_.value = 2.3456789012345678;
+  good_.targets = {"illuminant", 48, 7, 24, "paints.csv", "fedcba9876543210"};
   good_.illuminant_value = 12.5, good_.visible_value = 1.0 / 3.0, good_.uniform_value = 30.0;
   write_distribution(file_, good_);
   const WavelengthDistribution read = read_distribution(file_);
@@ -93,6 +94,12 @@ TEST_F(DistributionFile, ComesBackToTheLastBit) {
   EXPECT_EQ(read.spectrum_digest, good_.spectrum_digest);
   EXPECT_EQ(read.objective, good_.objective);
   EXPECT_EQ(read.optimize_seconds, good_.optimize_seconds);
+  EXPECT_EQ(read.targets.white, "illuminant");
+  EXPECT_EQ(read.targets.constructed, 48);
+  EXPECT_EQ(read.targets.seed, 7u);
+  EXPECT_EQ(read.targets.measured, 24);
+  EXPECT_EQ(read.targets.measured_file, "paints.csv");
+  EXPECT_EQ(read.targets.measured_digest, "fedcba9876543210");
   EXPECT_EQ(read.value, good_.value);
   EXPECT_EQ(read.illuminant_value, good_.illuminant_value);
   EXPECT_EQ(read.visible_value, good_.visible_value);
@@ -130,7 +137,7 @@ TEST_F(DistributionFile, NamesWhatIsWrongAndWhere) {
     EXPECT_NE(problem.find(place), std::string::npos) << part << " -> " << replacement << ": " << problem;
     EXPECT_EQ(problem.find('\n'), std::string::npos);
   };
-  expect("\"version\": 2", "\"version\": 1", "#/version");
+  expect("\"version\": 3", "\"version\": 1", "#/version");
   expect("\"version\"", "\"vision\"", "vision");
   expect("\"value\": 0.0", "\"value\": \"0\"", "#/value");
   expect("\"value\": 0.0", "\"value\": 1e999", "");
@@ -140,9 +147,27 @@ TEST_F(DistributionFile, NamesWhatIsWrongAndWhere) {
   expect("\"nm\": [", "\"nm\": [900.0,", "#/base");
   expect("\"nm\": [", "\"nm\": [null,", "#/base/nm/0");
   expect("\"components\": [", "\"components\": [], \"rest\": [", "rest");
+  expect("\"measured\": 0", "\"measured\": -1", "#/targets/measured");
+  expect("\"stepped\": false", "\"stepped\": 0", "#/stepped");
   expect("\"backwards\": ", "\"backwards\": 1, \"was\": ", "was");
   expect("{", "[", "");
   expect("{", "{{", "");
+}
+
+TEST_F(DistributionFile, StepsMayBeZeroButLeaveNoGap) {
+  good_.stepped = true;
+  good_.components = {{{1.0, 0.0, 2.0}}, {{0.0, 3.0, 0.0}}};
+  write_distribution(file_, good_);
+  const WavelengthDistribution read = read_distribution(file_);
+  EXPECT_TRUE(read.stepped);
+  EXPECT_EQ(read.components[0].nodes, good_.components[0].nodes);
+  good_.components[1].nodes = {1.0, 0.0, 0.0};
+  EXPECT_NE(complaint("3", "3").find("zero in cell 1"), std::string::npos);
+  good_.components[1].nodes = {0.0, 0.0, 0.0};
+  EXPECT_NE(complaint("3", "3").find("zero everywhere"), std::string::npos);
+  good_.stepped = false;
+  good_.components[1].nodes = {0.0, 3.0, 0.0};
+  EXPECT_NE(complaint("3", "3").find("#/components/0/nodes/1"), std::string::npos);
 }
 
 TEST_F(DistributionFile, RefusesMoreThanSixteen) {

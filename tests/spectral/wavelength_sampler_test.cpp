@@ -132,6 +132,30 @@ TEST(WavelengthSamplers, IlluminantStaysInItsStrata) {
   }
 }
 
+// N steps, each in a stratum of its own, are the illuminant sampler.
+TEST(WavelengthSamplers, SteppedStrataAreTheIlluminantSampler) {
+  const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("FL11"));
+  WavelengthDistribution distribution{.base = base_density(emission), .components = {}, .stepped = true};
+  for (int k = 0; k < 4; ++k) {
+    distribution.components.push_back({std::vector<double>(4, 0.0)});
+    distribution.components[k].nodes[k] = 2.5;
+  }
+  const WavelengthSampler stepped = OptimizedWavelengths(distribution),
+                          illuminant = IlluminantWavelengths{4, distribution.base};
+  for (int i = 0; i < 1000; ++i) {
+    const auto a = sample_wavelengths<4>(stepped, i / 1000.0),
+               b = sample_wavelengths<4>(illuminant, i / 1000.0);
+    for (int j = 0; j < 4; ++j) {
+      EXPECT_NEAR(a.lambda[j], b.lambda[j], 1e-8);
+      EXPECT_NEAR(a.density_sum[j] / b.density_sum[j], 1.0, 1e-8);
+    }
+  }
+  expect_unbiased(stepped, emission, "steps");
+  distribution.components[0].backwards = true;  // mirrors one stratum's wavelength
+  distribution.components[1].nodes = {0.5, 1.0, 2.0, 0.0};
+  expect_unbiased(OptimizedWavelengths(distribution), emission, "unequal steps");
+}
+
 TEST(WavelengthSamplers, BackwardsRunsBackwards) {
   const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("D65"));
   WavelengthDistribution distribution = test::random_distribution(emission, 1, 20, 2);

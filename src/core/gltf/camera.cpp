@@ -100,6 +100,8 @@ void load_gltf_camera(const GltfDocument& document, const std::vector<NodeInstan
                      "choose a smaller --resolution");
   }
   scene.camera = camera;
+  const std::string& name = document.model.cameras[index].name;
+  scene.camera_name = name.empty() ? document.model.nodes[instance->node].name : name;
 }
 
 }  // namespace photopic

@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 /// The parser's message without its own tag, "[json.exception…] ", cut to a bearable length.
 std::string parser_message(const std::string& text) {
   const std::size_t tag = text.find("] ");
-  std::string message = one_line(text.substr(tag == std::string::npos ? 0 : tag + 2, 300));
+  std::string message = without_controls(text.substr(tag == std::string::npos ? 0 : tag + 2, 300));
   while (message.ends_with(' ')) message.pop_back();
   return message;
 }
@@ -38,7 +38,7 @@ class UniqueKeys {
     if (event == Json::parse_event_t::key && !keys_[level].insert(parsed.get<std::string>()).second)
       throw InputError(file_.path.string(),
                        fmt::format("the key \"{}\" stands twice in one object",
-                                   one_line(parsed.get<std::string>().substr(0, 60))),
+                                   without_controls(parsed.get<std::string>().substr(0, 60))),
                        "take one of them out");
     return true;
   }
@@ -141,9 +141,9 @@ void GltfDocument::fail(const std::string& pointer, const std::string& problem,
   throw InputError(file.path.string() + "#" + pointer, problem, remedy);
 }
 
-GltfDocument read_gltf_document(const std::filesystem::path& path) {
+GltfDocument read_gltf_document(std::vector<char> bytes, const std::filesystem::path& path) {
   GltfDocument document;
-  document.file = read_gltf_file(path);
+  document.file = split_gltf(std::move(bytes), path);
   Json json = parse_json(document.file);
   check_gltf(json, path);
   load_buffers(document, json);

@@ -45,8 +45,9 @@ struct GltfDocument {
                          const std::string& remedy = "correct it or export the file again") const;
 };
 
-/// Reads, checks and parses a .gltf or .glb with its buffers.
+/// Checks and parses a .gltf or .glb and reads its buffers.
+/// @param bytes the file's
 /// @throws InputError
-GltfDocument read_gltf_document(const std::filesystem::path& path);
+GltfDocument read_gltf_document(std::vector<char> bytes, const std::filesystem::path& path);
 
 }  // namespace photopic

@@ -151,8 +151,12 @@ std::string decode_percent(std::string_view text) {
 
 }  // namespace
 
-GltfFile read_gltf_file(const std::filesystem::path& path) {
-  GltfFile file{.path = path, .bytes = read_bytes(path, path.string(), 1, SIZE_MAX), .json = {}, .bin = {}};
+std::vector<char> read_gltf_bytes(const std::filesystem::path& path) {
+  return read_bytes(path, path.string(), 1, SIZE_MAX);
+}
+
+GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path) {
+  GltfFile file{.path = path, .bytes = std::move(bytes), .json = {}, .bin = {}};
   const bool glb = file.bytes.size() >= 4 && word_at(file, 0) == kMagic;
   if (!glb && path.extension() == ".glb") {
     throw InputError(path.string(), "the file does not begin with \"glTF\" as a .glb does", kReexport);

@@ -18,10 +18,13 @@ struct GltfFile {
   std::span<const std::byte> bin;  ///< in `bytes`; the .glb's binary chunk, empty when there is none
 };
 
-/// Reads the file and finds its parts (glTF 2.0, section 4.4); refuses JSON nested too deep for recursive
-/// parsers.
+/// Reads a file whole.
 /// @throws InputError
-GltfFile read_gltf_file(const std::filesystem::path& path);
+std::vector<char> read_gltf_bytes(const std::filesystem::path& path);
+
+/// Finds the parts of a file (glTF 2.0, section 4.4); refuses JSON nested too deep for recursive parsers.
+/// @throws InputError
+GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path);
 
 /// The file that a `uri` names, its name percent-encoded (RFC 3986), beside the glTF file; empty for data
 /// URIs and what is not local.

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace photopic {
+
+/// What a glTF file lists, whether a render uses it or not.
+struct GltfContents {
+  struct Named {
+    std::string name;  ///< the object's, else that of a node which holds it
+    std::string type;
+  };
+  std::size_t scenes = 0, nodes = 0, meshes = 0, primitives = 0, materials = 0, animations = 0;
+  std::vector<Named> cameras;  ///< perspective, orthographic
+  std::vector<Named> lights;   ///< KHR_lights_punctual: directional, point, spot
+  std::vector<std::string> extensions_used, extensions_required;
+};
+
+/// @throws InputError as load_gltf
+GltfContents read_gltf_contents(const std::filesystem::path& file);
+
+}  // namespace photopic

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "core/camera.h"
+#include "core/film.h"
+#include "integrator/path_start.h"
+
+namespace photopic {
+
+/// A rectangle of pixels that one thread renders at a time.
+struct Tile {
+  int x0, y0, x1, y1;  ///< [pixels]; the upper bounds lie outside
+  int pixel_count() const { return (x1 - x0) * (y1 - y0); }
+};
+
+/// Cover the film, row by row.
+std::vector<Tile> film_tiles(const Camera& camera);
+
+/// A tile's paths with samples first … last − 1, sample by sample, so that neighbours in a batch look at
+/// nearly the same thing.
+std::vector<PathKey> tile_paths(const Tile& tile, int film_width, int first, int last);
+
+/// The mean ΔE (CIEDE2000, D65 at Y = 1) to be expected between the mean of two films and the truth, over a
+/// tile. The films hold independent estimates from equally many samples: each is √2 times as far from the
+/// truth as their mean is, so they are twice that apart.
+double expected_delta_e(const Film& a, const Film& b, const Tile& tile);
+
+}  // namespace photopic

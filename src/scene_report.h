@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/gltf_contents.h"
+#include "core/scene.h"
+
+namespace photopic {
+
+/// One part of what `photopic info` tells: a heading with a table under it, and the same for machines.
+struct ReportSection {
+  std::string key;                             ///< in the JSON
+  std::string title;                           ///< a line of its own
+  std::vector<std::vector<std::string>> rows;  ///< the first holds the headings; may be empty
+  nlohmann::ordered_json json;
+};
+
+/// Geometry: counts, bounds in the world [m], memory.
+ReportSection report_geometry(const Scene& scene);
+/// All cameras of the file, and the one that renders.
+ReportSection report_cameras(const Scene& scene, const GltfContents& contents);
+/// All materials: kind of scattering, colour under D65, parameters that are not their defaults.
+ReportSection report_materials(const Scene& scene);
+/// Emitting materials and punctual lights, with their spectra and photometric quantities.
+ReportSection report_lamps(const Scene& scene, const GltfContents& contents);
+
+}  // namespace photopic

@@ -1,0 +1,75 @@
+"""`photopic info`: what it tells is what is in the file, computed here by hand."""
+
+import json
+import math
+import pathlib
+import unittest
+
+from harness import CommandTest
+from tiny_scene import tiny_scene
+
+FIXTURE = pathlib.Path(__file__).parent.parent / "gltf" / "all_features.gltf"
+
+
+class Info(CommandTest):
+    def info(self, scene, *options):
+        text = self.photopic("info", scene, "--json", "info.json", *options).stdout
+        return text, self.read_json("info.json")
+
+    def test_tiny_scene(self):
+        text, json_ = self.info(self.scene)
+        self.assertEqual(json_["geometry"]["triangles"], 6)
+        self.assertEqual(json_["geometry"]["vertices"], 12)
+        for corner, expected in zip(json_["geometry"]["bounds_m"], [(-1, 0, -1), (1, 2, 1)]):
+            for value, wanted in zip(corner, expected):
+                self.assertAlmostEqual(value, wanted, places=5)
+        self.assertEqual([m["name"] for m in json_["materials"]], ["floor", "wall", "lamp"])
+        self.assertEqual([m["triangles"] for m in json_["materials"]], [2, 2, 2])
+        for channel, wanted in zip(json_["materials"][1]["color_linear_srgb"], [0.6, 0.1, 0.05]):
+            self.assertAlmostEqual(channel, wanted, delta=0.01)  # by way of a spectrum
+        (lamp,) = json_["lamps"]
+        self.assertEqual((lamp["name"], lamp["spectrum"]), ("lamp", "cie:D65"))
+        self.assertAlmostEqual(lamp["luminance_cd_per_m2"], 5, places=5)
+        self.assertAlmostEqual(lamp["area_m2"], 0.64, places=5)
+        self.assertAlmostEqual(lamp["flux_lm"], 2 * math.pi * 5 * 0.64, places=3)  # both sides emit
+        (camera,) = json_["cameras"]
+        self.assertTrue(camera["used"])
+        self.assertEqual(camera["resolution"], [32, 32])
+        self.assertEqual(json_["warnings"], [])
+        for word in ["floor", "cie:D65", "6504 K", "32x32", "triangles"]:
+            self.assertIn(word, text)
+
+    def test_options_as_render_has_them(self):
+        text, json_ = self.info(self.scene, "--emitter", "lamp=blackbody:2700", "--resolution", "20x10")
+        self.assertEqual(json_["lamps"][0]["spectrum"], "blackbody:2700")
+        self.assertEqual(json_["cameras"][0]["resolution"], [20, 10])
+        self.assertIn("2700 K", text)
+        self.assert_refused(["info", self.scene, "--camera", "eye"], "eye")
+        self.assert_refused(["info", self.scene, "--emitter", "torch=cie:A"], "torch")
+
+    def test_what_a_render_leaves_out_is_told(self):
+        text, json_ = self.info(FIXTURE)
+        self.assertEqual(json_["file"]["animations"], 1)
+        self.assertIn("animations are not played: 1", json_["warnings"])
+        self.assertIn("animations are not played: 1", text)
+        self.assertEqual([light["name"] for light in json_["lamps"] if light["type"] != "surface"], ["sun", "bulb", "torch"])
+        self.assertEqual([(c["name"], c["type"], c["used"]) for c in json_["cameras"]],
+                         [("eye", "perspective", True), ("plan", "orthographic", False)])  # fmt: skip
+        self.assertLess(max(map(len, text.splitlines())), 500)
+
+    def test_names_cannot_write_to_the_terminal(self):
+        scene = tiny_scene()
+        scene["materials"][0]["name"] = "\u001b[2J\nfloor"
+        (self.folder / "odd.gltf").write_text(json.dumps(scene))
+        text, json_ = self.info("odd.gltf")
+        self.assertNotIn("\u001b", text)
+        self.assertEqual(json_["materials"][0]["name"], "\u001b[2J\nfloor")
+
+    def test_it_overwrites_nothing(self):
+        before = self.scene.read_bytes()
+        self.assert_refused(["info", self.scene, "--json", self.scene], "overwritten")
+        self.assertEqual(self.scene.read_bytes(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()

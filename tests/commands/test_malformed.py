@@ -1,0 +1,177 @@
+"""Malformed scenes: refused in one line or loaded, never a crash, a hang or much memory.
+
+Run as a script with arguments, it tries all mutations of the files given (else of the fixture), which takes minutes:
+    PHOTOPIC_BINARY=build/release/src/photopic tests/commands/test_malformed.py --all [FILE.gltf|.glb…]"""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from mutations import all_mutations, encode
+from tiny_scene import tiny_scene
+
+BINARY = os.environ["PHOTOPIC_BINARY"]
+FIXTURE = pathlib.Path(__file__).parent.parent / "gltf" / "all_features.gltf"
+SHARED = pathlib.Path(os.environ.get("PHOTOPIC_SHARED", "/nonexistent"), "gltf")
+SECONDS = 1.0  # of processor time
+MEGABYTES = 200
+ODD_BUT_VALID = {"geo_degenerate_all", "node_chain_50000", "node_scale_zero", "mat_bad_values"}
+
+# What wait4 measures would be this process's and its earlier children's without a process between.
+MEASURE = """
+import json, os, resource, subprocess, sys
+limit = int(sys.argv[1])
+resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
+try:
+    result = subprocess.run(sys.argv[2:], capture_output=True, timeout=60)
+except subprocess.TimeoutExpired:
+    sys.exit("it hangs")
+usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+print(json.dumps([result.returncode, result.stderr.decode(errors="replace"), usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024]))
+"""
+
+
+class Outcome:
+    def __init__(self, arguments):
+        command = [sys.executable, "-S", "-c", MEASURE, "10", BINARY, *map(str, arguments)]
+        measured = subprocess.run(command, capture_output=True, text=True)
+        hung = (-1, measured.stderr, 0, 0)
+        self.code, self.stderr, self.seconds, self.megabytes = json.loads(measured.stdout or "null") or hung
+
+    def faults(self):
+        """What must not be, whatever the file."""
+        if self.code not in (0, 1):
+            yield f"exit code {self.code}: {self.stderr[:300]}"
+        if self.seconds > SECONDS:
+            yield f"{self.seconds:.2f} s"
+        if self.megabytes > MEGABYTES:
+            yield f"{self.megabytes:.0f} MB"
+        lines = self.stderr.splitlines()
+        if self.code == 1 and len(lines) != 1:
+            yield f"{len(lines)} lines for a refusal: {self.stderr[:300]!r}"
+        if self.code == 1 and "scene.gl" not in self.stderr:
+            yield f"the refusal names no file: {self.stderr[:300]}"
+        if self.code == 1 and len(self.stderr) > 1500:
+            yield f"a refusal of {len(self.stderr)} characters"
+        if re.search(r"[\x00-\x09\x0b-\x1f\x7f]", self.stderr):
+            yield f"control characters: {self.stderr[:300]!r}"
+
+
+def try_file(name, data, folder):
+    """Loads it as `photopic info` does; what that accepts is rendered, too."""
+    folder.mkdir()
+    scene = folder / ("scene.glb" if data[:4] == b"glTF" else "scene.gltf")
+    scene.write_bytes(data)
+    outcome = Outcome(["info", scene, "--threads", "1"])
+    faults = list(outcome.faults())
+    if outcome.code == 0:
+        image = folder / "image.exr"
+        options = ["--sampler", "uniform", "--spp", "1", "--resolution", "8x8", "--threads", "1", "--quiet", "-o", image]
+        rendered = Outcome(["render", scene, *options])
+        faults += [f"rendering: {fault}" for fault in rendered.faults()]
+        if "not finite" in rendered.stderr and "samples" in rendered.stderr:
+            faults.append("rendering: samples that are not finite")
+    for path in folder.iterdir():
+        path.unlink()
+    folder.rmdir()
+    return outcome.code, [f"{name}: {fault}" for fault in faults]
+
+
+def try_all(mutations):
+    """@return (files tried, refused, faults)"""
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
+        jobs = [pool.submit(try_file, name, data, pathlib.Path(folder, str(i))) for i, (name, data) in enumerate(mutations)]
+        results = [job.result() for job in jobs]
+    faults = [fault for _, found in results for fault in found]
+    return len(results), sum(code == 1 for code, _ in results), faults
+
+
+class Malformed(unittest.TestCase):
+    def assert_no_faults(self, mutations):
+        tried, refused, faults = try_all(mutations)
+        self.assertFalse(faults, "\n".join(faults[:20]))
+        return tried, refused
+
+    def test_a_sample_of_all_mutations(self):
+        document = json.loads(FIXTURE.read_text())
+        mutations = list(all_mutations(document))
+        sample = mutations[:: len(mutations) // 150]
+        tried, refused = self.assert_no_faults(sample)
+        self.assertGreater(refused, tried // 3)
+
+    def test_what_is_no_regular_file(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            (folder / "scene.gltf").mkdir()
+            (folder / "empty").mkdir()
+            (folder / "empty" / "scene.glb").write_bytes(b"")
+            (folder / "loop_scene.gltf").symlink_to("loop_scene.gltf")
+            (folder / "dangling_scene.gltf").symlink_to("nowhere")
+            os.mkfifo(folder / "pipe_scene.gltf")
+            for path in ["scene.gltf", "empty/scene.glb", "loop_scene.gltf", "dangling_scene.gltf", "pipe_scene.gltf", "no_scene.gltf"]:
+                outcome = Outcome(["info", folder / path])
+                self.assertEqual(outcome.code, 1, path)
+                self.assertEqual(list(outcome.faults()), [], path)
+
+    def test_large_files_load_in_time(self):
+        """100,000 of everything: nothing may be quadratic."""
+        document, count = tiny_scene(), 100_000
+        document["materials"] += [{"name": f"m{i}"} for i in range(count)]
+        document["accessors"] += [document["accessors"][0]] * count
+        document["meshes"] += [{"primitives": [{"attributes": {"POSITION": 0}, "material": 1}]}] * count
+        first = len(document["nodes"])
+        document["nodes"] += [{"mesh": i % 2, "name": f"n{i}"} for i in range(count)]
+        document["scenes"][0]["nodes"] += list(range(first, first + count // 10))
+        with tempfile.TemporaryDirectory() as folder:
+            scene = pathlib.Path(folder, "scene.gltf")
+            scene.write_bytes(encode(document))
+            outcome = Outcome(["info", scene])
+        self.assertEqual(outcome.code, 0, outcome.stderr)
+        self.assertLess(outcome.seconds, 8)  # about 2 s; quadratic would be minutes
+
+    @unittest.skipUnless(SHARED.is_dir(), "no collection of glTF files")
+    def test_the_collection(self):
+        for path in sorted([*SHARED.glob("good/**/*.gl*"), *SHARED.glob("bad/*")]):
+            outcome = Outcome(["info", path])
+            good = path.parent.name != "bad" or path.stem in ODD_BUT_VALID
+            with self.subTest(path.name):
+                self.assertEqual(outcome.code, 0 if good else 1, outcome.stderr)
+                self.assertLess(outcome.seconds, SECONDS)
+                self.assertLess(outcome.megabytes, MEGABYTES)
+                if not good:
+                    self.assertEqual(len(outcome.stderr.splitlines()), 1, outcome.stderr)
+                    self.assertIn(path.name, outcome.stderr)
+
+
+def documents(names):
+    for name in names:
+        data = pathlib.Path(name).read_bytes()
+        if data[:4] == b"glTF":
+            import base64
+            import struct
+
+            size = struct.unpack_from("<I", data, 12)[0]
+            document = json.loads(data[20 : 20 + size])
+            binary = base64.b64encode(data[28 + size :]).decode()
+            document["buffers"][0]["uri"] = "data:;base64," + binary
+        else:
+            document = json.loads(data)
+        yield name, document
+
+
+if __name__ == "__main__":
+    if sys.argv[1:2] != ["--all"]:
+        unittest.main()
+    bad = 0
+    for file, valid in documents(sys.argv[2:] or [FIXTURE]):
+        tried, refused, faults = try_all(all_mutations(valid))
+        print(f"{file}: {tried} files, {refused} refused, {len(faults)} faults", *faults, sep="\n  ", flush=True)
+        bad += len(faults)
+    sys.exit(bad > 0)
