@@ -72,4 +72,16 @@ Vec3f mapped_normal(const Geometry& geometry, const Hit& hit, const SurfacePoint
   return mapped / std::sqrt(squared);
 }
 
+Frame grain_frame(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, const Frame& frame) {
+  auto tangent = given_tangent(geometry, hit);
+  if (!tangent) tangent = texture_tangent(geometry, hit, point.shading_normal, Texture{});
+  if (!tangent) return frame;
+  const Vec3f t = tangent->t - frame.n * dot(frame.n, tangent->t);
+  const float size = length(t);
+  if (!(size > 0.0f)) return frame;
+  // Seen from behind, the frame's normal is turned but the bitangent is not.
+  const float side = dot(frame.n, point.shading_normal) < 0.0f ? -tangent->sign : tangent->sign;
+  return {t / size, cross(frame.n, t) * (side / size), frame.n};
+}
+
 }  // namespace photopic

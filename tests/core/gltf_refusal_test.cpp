@@ -153,7 +153,7 @@ TEST_F(GltfTest, OddButValidFilesLoadWithAWarning) {
 
   SquareFile optional;
   optional.more =
-      R"(, "extensionsUsed": ["KHR_materials_sheen", "KHR_materials_sheen", "KHR_materials_variants"])";
+      R"(, "extensionsUsed": ["XX_unheard_of", "XX_unheard_of", "KHR_materials_variants"])";
   EXPECT_EQ(load(optional.str()).warnings.size(), 1u);
 }
 
