@@ -32,6 +32,7 @@ struct BsdfSample {
 template <int N>
 struct DiffuseBsdf {
   static constexpr bool kTwoSided = true;
+  static constexpr bool kLitFromBehind = false;
 
   SampledSpectrum<N> albedo;
 

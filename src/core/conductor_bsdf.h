@@ -12,6 +12,7 @@ template <int N>
 class ConductorBsdf {
  public:
   static constexpr bool kTwoSided = true;
+  static constexpr bool kLitFromBehind = false;
 
   ConductorBsdf(const ShadingMaterial<N>& m, Vec3f wo)
       : wo_(wo), ggx_{sqr(m.roughness())}, fresnel_(measured(m)) {

@@ -16,6 +16,7 @@ template <int N>
 class GlassBsdf {
  public:
   static constexpr bool kTwoSided = false;
+  static constexpr bool kLitFromBehind = true;
 
   GlassBsdf(const ShadingMaterial<N>& m, Vec3f wo)
       : side_(wo.z < 0.0f ? -1.0f : 1.0f),

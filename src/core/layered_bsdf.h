@@ -13,6 +13,7 @@ template <int N>
 class LayeredBsdf {
  public:
   static constexpr bool kTwoSided = true;
+  static constexpr bool kLitFromBehind = true;
   static constexpr bool kHasGrain = true;  ///< the frame's s and t matter
 
   LayeredBsdf(const ShadingMaterial<N>& m, Vec3f wo)

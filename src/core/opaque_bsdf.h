@@ -15,6 +15,7 @@ template <int N>
 class OpaqueBsdf {
  public:
   static constexpr bool kTwoSided = true;
+  static constexpr bool kLitFromBehind = false;
 
   OpaqueBsdf(const ShadingMaterial<N>& m, Vec3f wo)
       : wo_(wo), roughness_(m.roughness()), ggx_{sqr(roughness_)}, metallic_(m.opaque_metallic()) {

@@ -21,6 +21,7 @@ template <int N>
 class SpectralGlassBsdf {
  public:
   static constexpr bool kTwoSided = false;
+  static constexpr bool kLitFromBehind = true;
 
   /// @param throughput of the path: wavelengths that carry nothing are not chosen
   SpectralGlassBsdf(const ShadingMaterial<N>& m, Vec3f wo, SampledSpectrum<N> throughput)

@@ -64,7 +64,7 @@ struct Vertex {
   }
 
   /// The side that light counts from, for choosing lights: the normal's, or (zero) both.
-  Vec3f lit_side() const { return Bsdf::kTwoSided ? frame.n : Vec3f{}; }
+  Vec3f lit_side() const { return Bsdf::kLitFromBehind ? Vec3f{} : frame.n; }
 
   /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.
   std::int32_t medium_towards(Vec3f w, std::int32_t current) const {
