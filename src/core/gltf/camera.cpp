@@ -164,8 +164,6 @@ void load_gltf_camera(const GltfDocument& document, const std::vector<NodeInstan
     extras.read_lens(scene.camera);
     extras.read_resolution(scene.camera);
     set_resolution(document, aspect, options, scene.camera);
-    const std::string& name = document.model.cameras[index].name;
-    scene.camera_name = name.empty() ? document.model.nodes[instance->node].name : name;
     return;
   }
   set_resolution(document, kDefaultAspect, options, scene.camera);
