@@ -328,8 +328,6 @@ TEST_F(GltfTest, DarkLampsAreRefused) {
   EXPECT_NE(refusal(black.str()).find("#/materials/0"), std::string::npos);
 }
 
-}
-
 TEST_F(GltfTest, CornellBox) {
   const Scene scene = load_gltf(std::filesystem::path(PHOTOPIC_SCENES) / "cornell-box" / "scene.gltf");
   EXPECT_EQ(scene.geometry.triangles.size(), 32u);  // 5 walls, 2 × 5 faces, the lamp
