@@ -25,22 +25,28 @@ struct RayArray {
   explicit RayArray(std::size_t size) : origin(size), direction(size), t_max(size) {}
 };
 
-inline constexpr std::uint32_t kNoHit = ~0u;
+inline constexpr std::uint32_t kNoHit = ~0u, kNoInstance = ~0u;
 
 /// Where a ray meets a triangle.
 struct Hit {
   std::uint32_t shape = kNoHit;
-  std::uint32_t triangle = kNoHit;  ///< index into Geometry::triangles
-  float u = 0, v = 0;               ///< barycentric coordinates of the second and third vertex
+  std::uint32_t triangle = kNoHit;       ///< index into Geometry::triangles
+  std::uint32_t instance = kNoInstance;  ///< index into Geometry::instances, if the shape is a prototype's
+  float u = 0, v = 0;                    ///< barycentric coordinates of the second and third vertex
   float t = 0;
 };
+
+struct Surface;
 
 /// The bounding volume hierarchy: the only home of Embree (3.13 or 4).
 class Accel {
  public:
   /// Builds with TBB over the geometry's own buffers, which must stay where they are. (Embree reads vertices
-  /// 16 bytes at a time, so positions get room for one more.) @throws std::runtime_error when Embree does
-  explicit Accel(Geometry& geometry);
+  /// 16 bytes at a time, so positions get room for one more.) Rays pass surfaces that cover a point in part
+  /// as a hash of the ray and the triangle decides. @param surfaces of Shape::material; must stay where they
+  /// are
+  /// @throws std::runtime_error when Embree does
+  Accel(Geometry& geometry, std::span<const Surface> surfaces);
   ~Accel();
   Accel(Accel&&) noexcept;
   Accel& operator=(Accel&&) noexcept;
@@ -55,10 +61,19 @@ class Accel {
   Hit intersect(const Ray& ray) const;
   bool occluded(const Ray& ray, float t_max) const;
 
+  /// Of a sphere that holds the scene, wherever its middle [m]; 0 when there is nothing.
+  double radius() const;
+
  private:
   struct Handles;
+  /// Of Embree's numbers.
+  Hit make_hit(std::uint32_t geometry, std::uint32_t primitive, std::uint32_t instance, float u, float v,
+               float t) const;
+
   std::unique_ptr<Handles> handles_;
   std::vector<std::uint32_t> first_triangle_;  ///< of each shape
+  std::uint32_t baked_shapes_;                 ///< stand before the instances in Embree's numbers
+  std::vector<std::uint32_t> first_shape_;     ///< of each instance
 };
 
 }  // namespace photopic

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/accel.h"
-#include "core/light_sampler.h"
+#include "core/lights/light_sampler.h"
 #include "core/scene.h"
 #include "core/surface.h"
 
@@ -12,6 +12,8 @@ namespace photopic {
 /// A scene made ready for rendering: what every sampler and every render of it share.
 struct PreparedScene {
   explicit PreparedScene(Scene source);
+  PreparedScene(const PreparedScene&) = delete;  // its parts point to each other
+  PreparedScene& operator=(const PreparedScene&) = delete;
 
   Scene scene;
   std::vector<Surface> surfaces;  ///< of Scene::materials, compiled for shading
@@ -19,7 +21,7 @@ struct PreparedScene {
   LightSampler lights;
 };
 
-/// The emission that wavelength samplers adapt to: the scene's emission spectra weighted by emitted power.
+/// The emission that wavelength samplers adapt to: the scene's emission spectra weighted by luminous flux.
 TabulatedSpectrum scene_emission(const PreparedScene& scene);
 
 /// The same lamps one by one, as the optimiser takes them: a lamp_set. Empty when the scene has no light.

@@ -57,7 +57,7 @@ struct UvTransform {
 struct Texture {
   std::shared_ptr<const TextureImage> image;  ///< none: there is no texture
   std::uint8_t uv_set = 0;                    ///< TEXCOORD_n
-  UvTransform transform;
+  UvTransform transform{};
   Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
   bool nearest = false;
   bool srgb = false;  ///< its colours (not alpha) are sRGB-encoded

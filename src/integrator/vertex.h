@@ -1,10 +1,18 @@
 #pragma once
 
 #include "core/bsdf.h"
+#include "core/normal_map.h"
 #include "core/prepared_scene.h"
 #include "core/surface_point.h"
 
 namespace photopic {
+
+/// A hit with its normal map applied.
+inline SurfacePoint mapped_point(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface) {
+  SurfacePoint point = surface_point(geometry, hit);
+  if (surface.maps_normals) point.shading_normal = mapped_normal(geometry, hit, point, wo, *surface.textures);
+  return point;
+}
 
 /// A vertex of a path: a hit with its frame and its BSDF at the path's wavelengths. Directions are in world
 /// space.
@@ -13,7 +21,7 @@ struct Vertex {
   Vertex(const PreparedScene& scene, const Hit& hit, Vec3f wo_world, SampledSpectrum<N> lambda)
       : material(scene.scene.geometry.shapes[hit.shape].material),
         surface(scene.surfaces[material]),
-        point(surface_point(scene.scene.geometry, hit)),
+        point(mapped_point(scene.scene.geometry, hit, wo_world, surface)),
         frame(shading_frame(point, wo_world, Bsdf::kTwoSided)),
         wo(frame.to_local(wo_world)),
         bsdf(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit})) {}
@@ -38,6 +46,9 @@ struct Vertex {
   bool sides_agree(Vec3f wi, float cos_theta) const {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
   }
+
+  /// The side that light counts from, for choosing lights: the normal's, or (zero) both.
+  Vec3f lit_side() const { return Bsdf::kTwoSided ? frame.n : Vec3f{}; }
 
   /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.
   std::int32_t medium_towards(Vec3f w, std::int32_t current) const {

@@ -77,7 +77,7 @@ std::vector<std::filesystem::path> named_files(const GltfDocument& document, con
 /// ignores, and refuses indices without a bufferView, which are valid when sparse: an extra, last view stands
 /// for "none" (the accessors' reader knows).
 std::string text_for_tinygltf(Json& json) {
-  for (const char* unused : {"buffers", "images", "animations", "skins"}) json.erase(unused);
+  for (const char* unused : {"buffers", "images", "animations"}) json.erase(unused);
   if (json.contains("cameras")) {
     for (Json& camera : json["cameras"]) {
       if (camera.contains("perspective")) camera["perspective"].emplace("znear", 0.01);
@@ -107,6 +107,9 @@ GltfDocument read_gltf_document(std::vector<char> bytes, const std::filesystem::
   document.images = list_images(json);
   document.named_files = named_files(document, json);
   if (json.contains("animations")) document.animation_count = json.at("animations").size();
+  document.file.json = {};
+  if (document.file.bin.empty())
+    document.file.bytes = {};  // text alone, which may hold all buffers in base64
 
   const std::string text = text_for_tinygltf(json);
   json = nullptr;

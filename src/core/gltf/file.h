@@ -14,7 +14,7 @@ namespace photopic {
 struct GltfFile {
   std::filesystem::path path;
   std::vector<char> bytes;
-  std::string_view json;           ///< in `bytes`
+  std::string_view json;           ///< in `bytes`; gone once it has been parsed
   std::span<const std::byte> bin;  ///< in `bytes`; the .glb's binary chunk, empty when there is none
 };
 
