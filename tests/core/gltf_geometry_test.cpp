@@ -19,7 +19,7 @@ Vec3f world_position(const Scene& scene, std::size_t i) {
 
 /// The geometry alone, for materials as told.
 Scene load_geometry(const std::filesystem::path& file, const Material& material) {
-  const GltfDocument document = read_gltf_document(file);
+  const GltfDocument document = read_gltf_document(read_gltf_bytes(file), file);
   Scene scene;
   scene.materials.assign(document.model.materials.size() + 1, material);
   load_gltf_geometry(document, walk_nodes(document, scene.warnings), scene);

@@ -26,6 +26,7 @@ struct MeshParts {
 /// An --emitter may change what such a material emits, not whether.
 bool is_emissive(const GltfDocument& document, int material) {
   if (material < 0) return false;
+  if (document.model.materials[material].extensions.contains("KHR_materials_unlit")) return true;
   return std::ranges::any_of(document.model.materials[material].emissiveFactor,
                              [](double c) { return c > 0; });
 }
