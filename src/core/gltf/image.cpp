@@ -1,7 +1,9 @@
 #include "core/gltf/image.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <unistd.h>
 
 #include <optional>
 
@@ -11,6 +13,27 @@ namespace photopic {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{4} << 30;
+
+/// While it lives, standard error leads nowhere: libpng writes to it of its own accord, even of colour
+/// profiles it dislikes. What is wrong with an image arrives as an error.
+class SilentStandardError {
+ public:
+  SilentStandardError() : saved_(::dup(STDERR_FILENO)) {
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (saved_ >= 0 && nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0) ::close(nowhere);
+  }
+  ~SilentStandardError() {
+    if (saved_ < 0) return;
+    ::dup2(saved_, STDERR_FILENO);
+    ::close(saved_);
+  }
+  SilentStandardError(const SilentStandardError&) = delete;
+  SilentStandardError& operator=(const SilentStandardError&) = delete;
+
+ private:
+  int saved_;
+};
 
 /// An image's file in memory, and its header read.
 struct OpenImage {
@@ -48,6 +71,8 @@ OpenImage open_image(const GltfDocument& document, int index) {
 
 std::vector<std::shared_ptr<const TextureImage>> decode_gltf_images(const GltfDocument& document,
                                                                     const std::set<int>& used) {
+  if (used.empty()) return {};
+  const SilentStandardError silent;
   std::vector<OpenImage> open;
   std::size_t bytes = 0;
   for (const int index : used) {
