@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <span>
@@ -240,6 +241,14 @@ Hit Accel::intersect(const Ray& ray) const {
 
 bool Accel::occluded(const Ray& ray, float t_max) const {
   return handles_->occluded(make_ray(ray.origin, ray.direction, t_max));
+}
+
+double Accel::radius() const {
+  if (first_triangle_.empty()) return 0.0;
+  RTCBounds b;
+  rtcGetSceneBounds(handles_->scene, &b);
+  const double x = b.upper_x - b.lower_x, y = b.upper_y - b.lower_y, z = b.upper_z - b.lower_z;
+  return 0.5 * std::sqrt(x * x + y * y + z * z);
 }
 
 void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits) const {

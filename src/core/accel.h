@@ -61,6 +61,9 @@ class Accel {
   Hit intersect(const Ray& ray) const;
   bool occluded(const Ray& ray, float t_max) const;
 
+  /// Of a sphere that holds the scene, wherever its middle [m]; 0 when there is nothing.
+  double radius() const;
+
  private:
   struct Handles;
   /// Of Embree's numbers.

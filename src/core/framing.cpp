@@ -10,6 +10,7 @@ struct Box {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
+  bool is_empty() const { return !(low.x <= high.x); }
   Vec3f corner(int i) const {
     return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
   }
@@ -26,25 +27,34 @@ void for_each_corner(const Geometry& geometry, std::size_t first_shape, std::siz
   }
 }
 
+/// Calls visit(point) for every corner of a triangle in the world, and of an instance's box.
+template <typename Visit>
+void for_each_point(const Geometry& geometry, const Visit& visit) {
+  for_each_corner(geometry, 0, geometry.baked_shape_count(), visit);
+  std::vector<Box> boxes(geometry.prototypes.size());
+  for (std::size_t p = 0; p < boxes.size(); ++p)
+    for_each_corner(geometry, geometry.prototypes[p].first_shape, geometry.prototypes[p].shape_count,
+                    [&](Vec3f point) { boxes[p].add(point); });
+  for (const Instance& instance : geometry.instances) {
+    const Box& box = boxes[instance.prototype];
+    if (box.is_empty()) continue;
+    for (int i = 0; i < 8; ++i) visit(instance.to_world.point(box.corner(i)));
+  }
+}
+
 }  // namespace
 
-BoundingSphere bounding_sphere(const Geometry& geometry) {
-  std::vector<Box> prototypes(geometry.prototypes.size());
-  for (std::size_t p = 0; p < prototypes.size(); ++p)
-    for_each_corner(geometry, geometry.prototypes[p].first_shape, geometry.prototypes[p].shape_count,
-                    [&](Vec3f point) { prototypes[p].add(point); });
-  const auto for_each_point = [&](const auto& visit) {
-    for_each_corner(geometry, 0, geometry.baked_shape_count(), visit);
-    for (const Instance& instance : geometry.instances)
-      for (int i = 0; i < 8; ++i) visit(instance.to_world.point(prototypes[instance.prototype].corner(i)));
-  };
-
+BoundingBox bounding_box(const Geometry& geometry) {
   Box box;
-  for_each_point([&](Vec3f point) { box.add(point); });
-  if (!(box.low.x <= box.high.x)) return {};
+  for_each_point(geometry, [&](Vec3f point) { box.add(point); });
+  return box.is_empty() ? BoundingBox{} : BoundingBox{box.low, box.high};
+}
+
+BoundingSphere bounding_sphere(const Geometry& geometry) {
+  const BoundingBox box = bounding_box(geometry);
   BoundingSphere sphere{(box.low + box.high) * 0.5f};
   for_each_point(
-      [&](Vec3f point) { sphere.radius = std::max(sphere.radius, length(point - sphere.middle)); });
+      geometry, [&](Vec3f point) { sphere.radius = std::max(sphere.radius, length(point - sphere.middle)); });
   return sphere;
 }
 

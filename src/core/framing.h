@@ -4,8 +4,15 @@
 
 namespace photopic {
 
+/// The box that holds every triangle (of instances: their prototypes' boxes), relative to Scene::origin [m];
+/// zero without any.
+struct BoundingBox {
+  Vec3f low, high;
+};
+BoundingBox bounding_box(const Geometry& geometry);
+
 /// The middle of the geometry's bounding box, relative to Scene::origin, and the radius of the sphere about
-/// it that holds every triangle (of instances: their prototypes' boxes) [m]. Radius 0 without any.
+/// it that holds the same [m]. Radius 0 without any.
 struct BoundingSphere {
   Vec3f middle;
   float radius = 0;

@@ -11,7 +11,7 @@ namespace photopic {
 
 /// `--emitter [NAME=]SPECTRUM`
 struct EmitterOverride {
-  std::string name;  ///< of the material; empty: every emitter
+  std::string name;  ///< of the material or light, or "environment"; empty: every emitter
   std::string text;  ///< SPECTRUM as the user wrote it; files relative to the working folder
 };
 
@@ -19,7 +19,9 @@ struct GltfOptions {
   std::vector<EmitterOverride> emitters{};  ///< later ones win; a NAME wins over an empty name
   std::string camera{};       ///< name of a camera or its node, else its index; empty: the first in the scene
   int width = 0, height = 0;  ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
-  bool allow_incomplete = false;  ///< no light is no error
+  double punctual_scale = 1.0;  ///< factor on the intensities of KHR_lights_punctual
+  EnvironmentOptions environment{};
+  bool allow_incomplete = false;  ///< no light gets no sky
 };
 
 /// Loads the default scene of a .gltf or .glb file. Everything read from the file is checked before it is
@@ -28,7 +30,6 @@ struct GltfOptions {
 Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options = {});
 
 /// The same of a file in memory: `file` names it in messages, and other files are sought beside it.
-Scene load_gltf(std::vector<std::byte> bytes, const std::filesystem::path& file,
-                const GltfOptions& options = {});
+Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options = {});
 
 }  // namespace photopic

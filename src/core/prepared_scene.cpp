@@ -4,6 +4,7 @@
 
 #include "core/ggx_albedo.h"
 #include "spectral/lamp_set.h"
+#include "spectral/rgb_light.h"
 
 namespace photopic {
 
@@ -11,9 +12,10 @@ PreparedScene::PreparedScene(Scene source)
     : scene(std::move(source)),
       surfaces(scene.materials.begin(), scene.materials.end()),
       accel(scene.geometry, surfaces),
-      lights(scene) {
+      lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces) {
   // What is made when first asked for is made now, on nobody's clock.
   const auto is_opaque = [](const Surface& s) { return s.opaque_kind == BsdfKind::opaque; };
+  if (scene.environment) rgb_tints();
   if (std::any_of(surfaces.begin(), surfaces.end(), is_opaque)) GgxAlbedo::table();
 }
 

@@ -9,6 +9,8 @@
 
 #include "core/affine.h"
 #include "core/camera.h"
+#include "core/lights/environment.h"
+#include "core/lights/punctual_light.h"
 #include "core/math.h"
 #include "core/texture.h"
 #include "spectral/spectrum.h"
@@ -115,6 +117,8 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<TabulatedSpectrum> emission_spectra;  ///< distinct; each with ∫ȳI dλ / ∫ȳ dλ = 1
   std::vector<std::string> emission_names;          ///< of each spectrum, as the user called it
+  std::vector<PunctualLight> punctual_lights;
+  std::shared_ptr<const Environment> environment;  ///< none: paths that leave the scene end in the dark
   Camera camera;
   std::string camera_name;  ///< of the camera, else of its node
   Vec3d origin;             ///< world position of the coordinates' zero: floats stay accurate far from 0

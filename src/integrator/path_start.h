@@ -49,6 +49,11 @@ struct PathWavelengths {
     }
   }
 
+  /// How much radiance counts at each wavelength, X, Y and Z alike.
+  SampledSpectrum<N> importance() const {
+    return xyz_per_radiance[0] + xyz_per_radiance[1] + xyz_per_radiance[2];
+  }
+
   /// The balance-heuristic estimate of XYZ: Σ_j h(λ_j)·L(λ_j) / S(λ_j).
   Xyz to_xyz(SampledSpectrum<N> radiance) const {
     return {(xyz_per_radiance[0] * radiance).sum(), (xyz_per_radiance[1] * radiance).sum(),

@@ -47,6 +47,9 @@ struct Vertex {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
   }
 
+  /// The side that light counts from, for choosing lights: the normal's, or (zero) both.
+  Vec3f lit_side() const { return Bsdf::kTwoSided ? frame.n : Vec3f{}; }
+
   /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.
   std::int32_t medium_towards(Vec3f w, std::int32_t current) const {
     if (!surface.solid || !surface.transmits) return current;

@@ -48,6 +48,6 @@ struct GltfDocument {
 /// Checks and parses a .gltf or .glb and reads its buffers.
 /// @param bytes the file's
 /// @throws InputError
-GltfDocument read_gltf_document(std::vector<std::byte> bytes, const std::filesystem::path& path);
+GltfDocument read_gltf_document(std::vector<char> bytes, const std::filesystem::path& path);
 
 }  // namespace photopic

@@ -13,13 +13,14 @@
 namespace photopic {
 namespace {
 
-constexpr int kMaxNesting = 100;
 constexpr std::uintmax_t kMaxFile = 0xFFFFFFFF;  // what a .glb's header can announce
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 constexpr const char* kReexport = "export the file again";
 
-std::vector<std::byte> read_bytes(const std::filesystem::path& path, const std::string& where,
-                                  std::size_t at_least, std::size_t at_most) {
+/// @tparam Byte char or std::byte
+template <typename Byte>
+std::vector<Byte> read_bytes(const std::filesystem::path& path, const std::string& where,
+                             std::size_t at_least, std::size_t at_most) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
     throw InputError(where, fmt::format("there is no file \"{}\"", path.string()),
@@ -34,7 +35,7 @@ std::vector<std::byte> read_bytes(const std::filesystem::path& path, const std::
   }
   if (size > kMaxFile && at_most > kMaxFile)
     throw InputError(where, fmt::format("\"{}\" is larger than 4 GiB", path.string()), "split the scene");
-  std::vector<std::byte> bytes(std::min<std::uintmax_t>(size, at_most));
+  std::vector<Byte> bytes(std::min<std::uintmax_t>(size, at_most));
   std::ifstream stream(path, std::ios::binary);
   if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {
     throw InputError(where, fmt::format("\"{}\" cannot be read", path.string()), "check its permissions");
@@ -46,10 +47,6 @@ std::uint32_t word_at(const GltfFile& file, std::size_t offset) {
   std::uint32_t word;
   std::memcpy(&word, file.bytes.data() + offset, sizeof word);
   return word;
-}
-
-std::string_view text_at(const GltfFile& file, std::size_t offset, std::size_t size) {
-  return {reinterpret_cast<const char*>(file.bytes.data()) + offset, size};
 }
 
 /// Bytes beyond the length in the header do no harm; anything short of it does.
@@ -76,34 +73,14 @@ void split_glb(GltfFile& file) {
     if (first != (type == kJsonChunk)) {
       throw InputError(where, fmt::format("the chunk at byte {} is of the wrong type", at), kReexport);
     }
-    if (first) file.json = text_at(file, at + 8, size);
-    if (type == kBinChunk && file.bin.empty()) file.bin = std::span(file.bytes).subspan(at + 8, size);
+    if (first) file.json = {file.bytes.data() + at + 8, size};
+    if (type == kBinChunk && file.bin.empty())
+      file.bin = std::as_bytes(std::span(file.bytes).subspan(at + 8, size));
     at += 8 + (size + 3) / 4 * 4;
   }
   if (file.json.empty()) throw InputError(where, "the .glb holds no JSON chunk", kReexport);
   // Chunks are padded with blanks; some exporters pad with zeros.
   while (file.json.ends_with('\0')) file.json.remove_suffix(1);
-}
-
-void check_nesting(const GltfFile& file) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < file.json.size(); ++i) {
-    const char c = file.json[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-      continue;
-    }
-    if (c == '"') in_string = true;
-    if (c == '[' || c == '{') ++depth;
-    if (c == ']' || c == '}') --depth;
-    if (depth > kMaxNesting) {
-      throw InputError(file.path.string(),
-                       fmt::format("the JSON is nested more than {} deep at byte {}", kMaxNesting, i),
-                       "remove the nested extras");
-    }
-  }
 }
 
 constexpr std::array<std::int8_t, 256> base64_values() {
@@ -154,19 +131,18 @@ std::string decode_percent(std::string_view text) {
 
 }  // namespace
 
-std::vector<std::byte> read_gltf_bytes(const std::filesystem::path& path) {
-  return read_bytes(path, path.string(), 1, SIZE_MAX);
+std::vector<char> read_gltf_bytes(const std::filesystem::path& path) {
+  return read_bytes<char>(path, path.string(), 1, SIZE_MAX);
 }
 
-GltfFile split_gltf(std::vector<std::byte> bytes, const std::filesystem::path& path) {
+GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path) {
   GltfFile file{.path = path, .bytes = std::move(bytes), .json = {}, .bin = {}};
   const bool glb = file.bytes.size() >= 4 && word_at(file, 0) == kMagic;
   if (!glb && path.extension() == ".glb") {
     throw InputError(path.string(), "the file does not begin with \"glTF\" as a .glb does", kReexport);
   }
-  file.json = text_at(file, 0, file.bytes.size());
+  file.json = {file.bytes.data(), file.bytes.size()};
   if (glb) split_glb(file);
-  check_nesting(file);
   return file;
 }
 
@@ -199,7 +175,7 @@ std::vector<std::byte> read_gltf_uri(const std::string& uri, std::optional<std::
   const std::filesystem::path file = gltf_uri_file(uri, folder);
   if (file.empty())
     throw InputError(where, "the uri is not a local file", "download it beside the glTF file");
-  return read_bytes(file, where, byte_length.value_or(1), byte_length.value_or(SIZE_MAX));
+  return read_bytes<std::byte>(file, where, byte_length.value_or(1), byte_length.value_or(SIZE_MAX));
 }
 
 }  // namespace photopic

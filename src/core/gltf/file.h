@@ -13,18 +13,18 @@ namespace photopic {
 /// A .gltf or .glb file in memory, taken apart but not yet parsed.
 struct GltfFile {
   std::filesystem::path path;
-  std::vector<std::byte> bytes;
+  std::vector<char> bytes;
   std::string_view json;           ///< in `bytes`; gone once it has been parsed
   std::span<const std::byte> bin;  ///< in `bytes`; the .glb's binary chunk, empty when there is none
 };
 
 /// Reads a file whole.
 /// @throws InputError
-std::vector<std::byte> read_gltf_bytes(const std::filesystem::path& path);
+std::vector<char> read_gltf_bytes(const std::filesystem::path& path);
 
-/// Finds the parts of a file (glTF 2.0, section 4.4); refuses JSON nested too deep for recursive parsers.
+/// Finds the parts of a file (glTF 2.0, section 4.4).
 /// @throws InputError
-GltfFile split_gltf(std::vector<std::byte> bytes, const std::filesystem::path& path);
+GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path);
 
 /// The file that a `uri` names, its name percent-encoded (RFC 3986), beside the glTF file; empty for data
 /// URIs and what is not local.

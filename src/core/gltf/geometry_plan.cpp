@@ -24,14 +24,15 @@ struct MeshParts {
 };
 
 /// An --emitter may change what such a material emits, not whether.
-bool is_emissive(const GltfDocument& document, int material) {
+bool is_emissive(const GltfDocument& document, int material, const std::vector<Material>& materials) {
   if (material < 0) return false;
-  if (document.model.materials[material].extensions.contains("KHR_materials_unlit")) return true;
+  if (materials.at(static_cast<std::size_t>(material)).unlit) return true;
   return std::ranges::any_of(document.model.materials[material].emissiveFactor,
                              [](double c) { return c > 0; });
 }
 
-void find_parts(const GltfDocument& document, std::uint32_t mesh, MeshParts& found) {
+void find_parts(const GltfDocument& document, std::uint32_t mesh, const std::vector<Material>& materials,
+                MeshParts& found) {
   const auto& primitives = document.model.meshes[mesh].primitives;
   found.known = true;
   for (std::uint32_t i = 0; i < primitives.size(); ++i) {
@@ -43,7 +44,7 @@ void find_parts(const GltfDocument& document, std::uint32_t mesh, MeshParts& fou
     } else {
       const std::size_t material = primitive.material >= 0 ? static_cast<std::size_t>(primitive.material)
                                                            : document.model.materials.size();
-      const bool emissive = is_emissive(document, primitive.material);
+      const bool emissive = is_emissive(document, primitive.material, materials);
       (emissive ? found.emissive : found.solid)
           .push_back({kNoPlace, {mesh, i}, static_cast<std::uint32_t>(material)});
       if (!emissive) found.triangles += triangle_count(document, primitive);
@@ -105,7 +106,7 @@ GeometryPlan plan_gltf_geometry(const GltfDocument& document, const std::vector<
   for (const NodeInstance& place : plan.places) {
     const tinygltf::Node& node = document.model.nodes[place.node];
     MeshParts& mesh = meshes[static_cast<std::size_t>(node.mesh)];
-    if (!mesh.known) find_parts(document, static_cast<std::uint32_t>(node.mesh), mesh);
+    if (!mesh.known) find_parts(document, static_cast<std::uint32_t>(node.mesh), materials, mesh);
     if (is_shareable(node, place.to_world)) ++mesh.shareable;
   }
   for (MeshParts& mesh : meshes) {

@@ -118,7 +118,8 @@ std::vector<NodeInstance> walk_nodes(const GltfDocument& document, std::vector<s
     }
     instance.visible = instance.visible && !is_hidden(node);
     push_reversed(node.children, instance.to_world, instance.depth + 1, instance.visible);
-    if (node.mesh >= 0 || node.camera >= 0) found.push_back(instance);
+    const bool has_light = node.extensions.contains(kPunctualLights);
+    if (node.mesh >= 0 || node.camera >= 0 || has_light) found.push_back(instance);
     deepest = std::max(deepest, instance.depth);
   }
   if (deepest > kOddDepth) warnings.push_back(fmt::format("nodes lie up to {} levels deep", deepest));

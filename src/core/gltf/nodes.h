@@ -8,7 +8,10 @@
 
 namespace photopic {
 
-/// A node of the scene with a mesh or a camera, at one of the places where the scene graph puts it.
+/// The extension by which nodes carry lights.
+inline constexpr const char* kPunctualLights = "KHR_lights_punctual";
+
+/// A node of the scene with a mesh, a camera or a light, at one of the places where the scene graph puts it.
 struct NodeInstance {
   int node;
   Affine to_world;

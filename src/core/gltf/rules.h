@@ -147,6 +147,7 @@ inline constexpr Member kDocument[] = {
 
 /// Extensions that a file may require: rendered, or without effect on what is rendered.
 inline constexpr auto kSupported = std::to_array<std::string_view>({
+    "KHR_lights_punctual",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
     "KHR_materials_specular",
@@ -162,8 +163,6 @@ inline constexpr auto kSupported = std::to_array<std::string_view>({
     "KHR_animation_pointer",
 });
 /// May be required too, but the loader warns of what it leaves out.
-inline constexpr auto kReported = std::to_array<std::string_view>({
-    "KHR_lights_punctual",
-});
+inline constexpr std::array<std::string_view, 0> kReported{};
 
 }  // namespace photopic::gltf_rules
