@@ -6,6 +6,7 @@
 
 #include "integrator/integrator.h"
 #include "spectral/color_difference.h"
+#include "support/instances.h"
 #include "support/render_checks.h"
 
 namespace photopic {
@@ -256,6 +257,20 @@ TEST_F(NormalMap, Scale) {
       m = textured(m, [&, old = *m.textures](MaterialTextures& t) { t = old, t.normal_scale = 2.0f; });
   expect_luminance(film_of(scaled, 512), luminance(film_of(scene({0.5f, 0.2f}, false), 512)).mean, "scale",
                    0.01);
+}
+
+/// Of an instance the tangent turns and mirrors with it, whether the mesh gives it or not.
+TEST_F(NormalMap, Instances) {
+  const Affine turned = placement({1, 1, 1}, {0, 0, 1}, std::numbers::pi / 2, {}),
+               mirrored = placement({-1, 1, 1}, {0, 0, 1}, 0, {});
+  for (const bool given : {false, true})
+    for (const auto& [place, tilt] : {std::pair{turned, Vec2f{-0.2f, 0.4f}}, {mirrored, {-0.4f, 0.2f}}}) {
+      Scene square = scene({0.4f, 0.2f}, true);
+      if (given) square.geometry.tangents.assign(square.geometry.positions.size(), {1, 0, 0, 1});
+      const double expected = luminance(film_of(scene(tilt, false), 512)).mean;
+      expect_luminance(film_of(with_instances(square, {place}), 512), expected, given ? "given" : "made",
+                       0.01);
+    }
 }
 
 /// Everything at once: the path tracer and the oracle see the same.
