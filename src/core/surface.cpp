@@ -109,21 +109,6 @@ Vec3f Surface::emissive_rgb(const TrianglePoint& point) const {
   return rgb;
 }
 
-float mean_emission(const Surface& surface, const Geometry& geometry, std::uint32_t triangle) {
-  if (!surface.emission_varies && !surface.partly_covers) return 1.0f;
-  constexpr int kRows = 8;  // cuts the triangle into 64 alike, whose middles are looked at
-  float sum = 0.0f;
-  for (int i = 0; i < kRows; ++i)
-    for (int j = 0; j < 2 * (kRows - i) - 1; ++j) {
-      const float third = j % 2 == 0 ? 1.0f / 3 : 2.0f / 3;
-      const TrianglePoint point(geometry, triangle, (static_cast<float>(i) + third) / kRows,
-                                (static_cast<float>(j / 2) + third) / kRows);
-      const float tint = surface.emission_varies ? luminance(surface.emissive_rgb(point)) : 1.0f;
-      sum += tint * surface.coverage(point);
-    }
-  return sum / (kRows * kRows);
-}
-
 float Surface::coverage(const TrianglePoint& point) const {
   if (!partly_covers) return 1.0f;
   float a = alpha;

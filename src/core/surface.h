@@ -70,11 +70,6 @@ struct Surface {
   }
 };
 
-/// The mean over a triangle of the luminance of its emission's texture and coverage, relative to
-/// emission_luminance: the triangle's power is that times this. From 64 points, so a texture's fine detail is
-/// estimated; above zero unless all of them are dark. 1 where nothing varies.
-float mean_emission(const Surface& surface, const Geometry& geometry, std::uint32_t triangle);
-
 /// Y of linear sRGB: IEC 61966-2-1.
 inline float luminance(Vec3f rgb) {
   return 0.2126f * rgb.x + 0.7152f * rgb.y + 0.0722f * rgb.z;

@@ -166,26 +166,5 @@ TEST_F(GltfTextures, CoverageByModeAndCutoff) {
   EXPECT_FALSE(Surface(opaque.materials[0]).partly_covers);
 }
 
-/// A ramp from black to white along u: over the half of a square where u ≥ v its mean is 2/3, over the other
-/// 1/3.
-TEST(MeanEmission, OfARamp) {
-  Geometry geometry;
-  geometry.triangles = {{0, 1, 2}, {0, 2, 3}};
-  geometry.uvs[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  std::vector<std::uint16_t> ramp;
-  for (int i = 0; i < 256; ++i) ramp.push_back(static_cast<std::uint16_t>(i * 257));
-  MaterialTextures textures;
-  textures.emissive.image = std::make_shared<TextureImage>(TextureImage{"", 256, 1, 1, ramp});
-  textures.emissive.wrap_u = Wrap::clamp;
-  Material material;
-  EXPECT_EQ(mean_emission(Surface(material), geometry, 0), 1.0f);
-  material.textures = std::make_shared<MaterialTextures>(textures);
-  EXPECT_NEAR(mean_emission(Surface(material), geometry, 0), 2.0f / 3, 0.005f);
-  EXPECT_NEAR(mean_emission(Surface(material), geometry, 1), 1.0f / 3, 0.005f);
-  material.alpha_mode = AlphaMode::blend;
-  material.alpha = 0.5f;
-  EXPECT_NEAR(mean_emission(Surface(material), geometry, 0), 1.0f / 3, 0.005f);
-}
-
 }  // namespace
 }  // namespace photopic

@@ -1,62 +1,13 @@
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <functional>
-#include <numbers>
-
 #include "integrator/integrator.h"
-#include "spectral/color_difference.h"
-#include "support/render_checks.h"
+#include "support/instances.h"
+#include "textured_square.h"
 
 namespace photopic {
 namespace {
 
 using namespace test;
-
-using Texels = std::vector<std::uint8_t>;
-
-/// An image of as many rows as columns.
-Texture square_texture(int size, int channels, Texels texels) {
-  return {.image = std::make_shared<TextureImage>(TextureImage{"", size, size, channels, std::move(texels)}),
-          .nearest = true,
-          .srgb = true};
-}
-
-Material textured(Material material, const std::function<void(MaterialTextures&)>& set) {
-  MaterialTextures textures;
-  set(textures);
-  material.textures = std::make_shared<MaterialTextures>(textures);
-  return material;
-}
-
-/// Gives every quad the whole image, upright as seen from its front.
-Scene unwrapped(const SceneBuilder& builder) {
-  Scene scene = builder.build();
-  constexpr Vec2f kCorners[4] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-  for (std::size_t i = 0; i < scene.geometry.positions.size(); ++i)
-    scene.geometry.uvs[0].push_back(kCorners[i % 4]);
-  return scene;
-}
-
-Film film_of(const Scene& scene, int spp, std::uint32_t seed = 1) {
-  return render_finite(PreparedScene(scene), spp, 12, seed);
-}
-
-constexpr double kLuminance = 3.0;
-
-/// A box that emits evenly from all its walls and reflects nothing.
-SceneBuilder furnace(const Spectrum& spectrum) {
-  SceneBuilder b;
-  b.box({-2, -2, -2}, {2, 2, 2}, b.lamp(spectrum, kLuminance), true);
-  return b;
-}
-
-/// A square of side 1 at z = 0 facing up, seen from above by a camera that it just fills, the image's top at
-/// the top.
-void add_square(SceneBuilder& b, const Material& material, int resolution) {
-  b.floor({0, 0, 0}, 0.5, 0.5, b.material(material));
-  b.camera({0, 0, 1.5}, {0, 0, 0}, 2 * std::atan(0.5 / 1.5) * 180 / std::numbers::pi, resolution, resolution);
-}
 
 double delta_e(Xyz a, Xyz b) {
   const Lab p = xyz_to_lab(a, d65_white()), q = xyz_to_lab(b, d65_white());
@@ -128,77 +79,6 @@ TEST(Textures, MeasuredEmissionKeepsItsSpectrum) {
   expect_same_image(image(true), image(false), 1, "measured");
 }
 
-/// A black sheet that covers 30 % takes 30 % of the light behind it; a white one in a furnace is not seen.
-TEST(Alpha, BlendIsTheShareOfRays) {
-  SceneBuilder b = furnace(d65());
-  Material black = diffuse(ConstantSpectrum{0.0});
-  black.alpha_mode = AlphaMode::blend;
-  black.alpha = 0.3f;
-  add_square(b, black, 8);
-  expect_luminance(film_of(b.build(), 1024), 0.7 * kLuminance, "black sheet");
-
-  SceneBuilder w = furnace(d65());
-  Material white = black;
-  white.base_color = ConstantSpectrum{1.0};
-  add_square(w, white, 8);
-  expect_luminance(film_of(w.build(), 512), kLuminance, "white sheet");
-}
-
-/// Two such sheets let 0.7² through: each decides for itself. The shadow behind them is as deep.
-TEST(Alpha, ShadowsOfSheets) {
-  const auto lit = [](int sheets, int spp) {
-    SceneBuilder b;
-    b.ceiling({0, 0, 1}, 0.2, 0.2, b.lamp(d65(), 10.0));
-    b.floor({0, 0, 0}, 0.05, 0.05, b.material(diffuse(ConstantSpectrum{0.8})));
-    Material black = diffuse(ConstantSpectrum{0.0});
-    black.alpha_mode = AlphaMode::blend;
-    black.alpha = 0.3f;
-    const std::uint32_t sheet = b.material(black);
-    for (int i = 0; i < sheets; ++i) b.floor({0, 0, 0.5 + 0.1 * i}, 1, 1, sheet);
-    b.camera({0.0, -0.3, 0.1}, {0, 0, 0}, 6, 8, 8);
-    return film_of(b.build(), spp);
-  };
-  const double open = luminance(lit(0, 2048)).mean;
-  expect_luminance(lit(1, 2048), 0.7 * open, "one sheet", 3e-3);
-  expect_luminance(lit(2, 4096), 0.49 * open, "two sheets", 3e-3);
-}
-
-/// A mask is all or nothing: of a chess board just its black squares are there.
-TEST(Alpha, MaskedChessBoard) {
-  Texels board;
-  for (int i = 0; i < 64; ++i)
-    board.insert(board.end(), {255, static_cast<std::uint8_t>((i / 8 + i) % 2 ? 140 : 110)});
-  SceneBuilder b = furnace(d65());
-  Material m = textured(diffuse(ConstantSpectrum{0.0}),
-                        [&](MaterialTextures& t) { t.base_color = square_texture(8, 2, board); });
-  m.base_factor = {0, 0, 0};
-  m.alpha_mode = AlphaMode::mask;
-  add_square(b, m, 8);
-  const Film film = film_of(unwrapped(b), 64);
-  for (int y = 0; y < 8; ++y)
-    for (int x = 0; x < 8; ++x) {
-      const Estimate e = block_estimates(film, x, y, x + 1, y + 1)[1];
-      EXPECT_NEAR(e.mean, (x + y) % 2 ? 0.0 : kLuminance, 5 * e.error + 1e-3) << x << ' ' << y;
-    }
-}
-
-/// A lamp that is half transparent gives half the light, found either way.
-TEST(Alpha, LampsThatCoverInPart) {
-  const auto lit = [](bool half) {
-    SceneBuilder b;
-    Material lamp = diffuse(ConstantSpectrum{0.0});
-    lamp.emission_spectrum = b.emission(d65());
-    lamp.emission_luminance = half ? 10.0f : 5.0f;
-    lamp.alpha_mode = half ? AlphaMode::blend : AlphaMode::opaque;
-    lamp.alpha = 0.5f;
-    b.ceiling({0, 0, 0.5}, 0.5, 0.5, b.material(lamp));
-    b.floor({0, 0, 0}, 0.5, 0.5, b.material(plastic(ConstantSpectrum{0.5}, 0.3f)));
-    b.camera({0.0, -0.8, 0.3}, {0, 0, 0}, 20, 8, 8);
-    return film_of(b.build(), 1024, half ? 1 : 2);
-  };
-  expect_same_image(lit(true), lit(false), 1, "half a lamp");
-}
-
 /// A normal map of one constant tilt shades a small square as a square that is tilted so.
 class NormalMap : public testing::Test {
  protected:
@@ -258,6 +138,20 @@ TEST_F(NormalMap, Scale) {
                    0.01);
 }
 
+/// Of an instance the tangent turns and mirrors with it, whether the mesh gives it or not.
+TEST_F(NormalMap, Instances) {
+  const Affine turned = placement({1, 1, 1}, {0, 0, 1}, std::numbers::pi / 2, {}),
+               mirrored = placement({-1, 1, 1}, {0, 0, 1}, 0, {});
+  for (const bool given : {false, true})
+    for (const auto& [place, tilt] : {std::pair{turned, Vec2f{-0.2f, 0.4f}}, {mirrored, {-0.4f, 0.2f}}}) {
+      Scene square = scene({0.4f, 0.2f}, true);
+      if (given) square.geometry.tangents.assign(square.geometry.positions.size(), {1, 0, 0, 1});
+      const double expected = luminance(film_of(scene(tilt, false), 512)).mean;
+      expect_luminance(film_of(with_instances(square, {place}), 512), expected, given ? "given" : "made",
+                       0.01);
+    }
+}
+
 /// Everything at once: the path tracer and the oracle see the same.
 TEST(Textures, OracleAgrees) {
   SceneBuilder b = lamp_room(d65(), 8);
@@ -305,23 +199,6 @@ TEST(Textures, OracleAgrees) {
                      slow = render_naive(scene, sampler, options(8192, 2));
   EXPECT_EQ(fast.stats.non_finite + slow.stats.non_finite, 0u);
   expect_same_image(fast.film, slow.film, 1, "textured room");
-}
-
-/// The hash that blends knows neither batch nor thread.
-TEST(Alpha, BatchesChangeNoBit) {
-  SceneBuilder b = furnace(d65());
-  Material m = diffuse(ConstantSpectrum{0.5});
-  m.alpha_mode = AlphaMode::blend;
-  m.alpha = 0.5f;
-  for (int i = 0; i < 4; ++i) b.floor({0, 0, 0.1 * i}, 0.5, 0.5, b.material(m));
-  b.camera({0, 0, 1.5}, {0, 0, 0}, 40, 16, 16);
-  const PreparedScene scene(b.build());
-  const IlluminantWavelengths sampler{4, base_density(scene_emission(scene))};
-  const auto first = image_estimates(render(scene, sampler, {.spp = 16, .batch_size = 1024}).film);
-  for (int batch : {1, 7, 100}) {
-    const auto other = image_estimates(render(scene, sampler, {.spp = 16, .batch_size = batch}).film);
-    for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].mean, other[i].mean) << batch;
-  }
 }
 
 }  // namespace

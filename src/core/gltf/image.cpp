@@ -49,6 +49,7 @@ OpenImage open_image(const GltfDocument& document, int index) {
 
 std::vector<std::shared_ptr<const TextureImage>> decode_gltf_images(const GltfDocument& document,
                                                                     const std::set<int>& used) {
+  if (used.empty()) return {};
   const QuietStderr quiet;
   std::vector<OpenImage> open;
   std::size_t bytes = 0;

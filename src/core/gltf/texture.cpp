@@ -49,9 +49,7 @@ UvTransform uv_transform(const tinygltf::Value* value) {
 class Uses {
  public:
   Uses(const GltfDocument& document, std::size_t material)
-      : document_(document),
-        source_(document.model.materials[material]),
-        pointer_(fmt::format("/materials/{}", material)) {}
+      : source_(document.model.materials[material]), pointer_(fmt::format("/materials/{}", material)) {}
 
   template <typename T>
   void add(Texture MaterialTextures::*slot, const T& info, bool srgb, const char* place) {
@@ -76,7 +74,6 @@ class Uses {
         {slot, srgb, pointer, info.index, static_cast<std::uint8_t>(set), uv_transform(info.transform)});
   }
 
-  const GltfDocument& document_;
   const tinygltf::Material& source_;
   std::string pointer_;
 };
