@@ -7,8 +7,6 @@
 #include <numbers>
 
 #include "core/framing.h"
-#include "core/surface.h"
-#include "spectral/lamp_description.h"
 
 namespace photopic {
 namespace {
@@ -38,33 +36,6 @@ Json point_json(Vec3d p) {
   return {p.x, p.y, p.z};
 }
 
-/// Area of each material's triangles [m²].
-std::vector<double> material_areas(const Scene& scene) {
-  std::vector<double> areas(scene.materials.size());
-  const Geometry& g = scene.geometry;
-  for (const Shape& shape : g.shapes)
-    for (std::uint32_t i = 0; i < shape.triangle_count; ++i) {
-      const auto& [a, b, c] = g.triangles[shape.first_triangle + i];
-      const Vec3d v = to_double(g.positions[a]);
-      areas[shape.material] +=
-          0.5 * length(cross(to_double(g.positions[b]) - v, to_double(g.positions[c]) - v));
-    }
-  return areas;
-}
-
-std::string temperature_text(const LampDescription& lamp) {
-  return lamp.temperature && lamp.temperature->meaningful()
-             ? fmt::format("{:.0f} K", lamp.temperature->kelvin)
-             : "-";
-}
-
-/// Where a texture varies it, that of a white texel [cd/m²].
-double largest_luminance(const Material& m) {
-  const Vec3f factor = m.emissive_factor;
-  const double tint = Surface(m).emission_varies ? linear_srgb_to_xyz({factor.x, factor.y, factor.z}).y : 1.0;
-  return m.emission_luminance * tint;
-}
-
 }  // namespace
 
 std::string name_text(const std::string& name) {
@@ -72,6 +43,7 @@ std::string name_text(const std::string& name) {
 }
 
 std::string size_text(double bytes) {
+  if (bytes < 1e3) return fmt::format("{:.0f} B", bytes);
   return bytes < 1e6 ? fmt::format("{:.1f} kB", bytes * 1e-3) : fmt::format("{:.1f} MB", bytes * 1e-6);
 }
 
@@ -88,11 +60,13 @@ ReportSection report_geometry(const Scene& scene) {
       {"triangles", std::to_string(g.triangles.size())},
       {"vertices", std::to_string(g.positions.size())},
       {"shapes", std::to_string(g.shapes.size())},
-      {"instances", fmt::format("{} of {} meshes", g.instances.size(), g.prototypes.size())},
       {"bounds [m]", point_text(low) + " to " + point_text(high)},
       {"size [m]", fmt::format("{:.4g} x {:.4g} x {:.4g}", size.x, size.y, size.z)},
       {"memory", fmt::format("{} and about {} of Embree's tree", size_text(stored), size_text(tree))},
   };
+  if (!g.instances.empty())
+    section.rows.push_back(
+        {"instances", fmt::format("{} of {} meshes", g.instances.size(), g.prototypes.size())});
   section.json = {{"triangles", g.triangles.size()},
                   {"vertices", g.positions.size()},
                   {"shapes", g.shapes.size()},
@@ -137,45 +111,6 @@ ReportSection report_cameras(const Scene& scene, const GltfContents& contents) {
     add(listed.name, listed.type, used);
   }
   if (!found) add(scene.camera_name, "perspective", true);  // the one that frames the scene
-  return section;
-}
-
-ReportSection report_lamps(const Scene& scene, const GltfContents& contents) {
-  ReportSection section{
-      "lamps",
-      "lamps",
-      {{"name", "type", "spectrum", "temperature", "luminance [cd/m2]", "area [m2]", "flux [lm]"}},
-      {}};
-  section.json = Json::array();
-  const std::vector<double> areas = material_areas(scene);
-  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-    const Material& m = scene.materials[i];
-    if (m.emission_spectrum < 0) continue;
-    const auto spectrum = static_cast<std::size_t>(m.emission_spectrum);
-    const LampDescription lamp = describe_lamp(scene.emission_spectra[spectrum]);
-    const bool varies = Surface(m).emission_varies;  // by a texture, or by vertex colours
-    const std::string type = m.unlit ? "unlit surface" : "surface";
-    const std::string& name = scene.emission_names[spectrum];
-    const double luminance = largest_luminance(m);
-    const double sides = m.double_sided ? 2.0 : 1.0;
-    const double flux = std::numbers::pi * luminance * areas[i] * sides;  // of a Lambertian emitter
-    const char* bound = varies ? "up to " : "";
-    section.rows.push_back({name_text(m.name), type, name, temperature_text(lamp),
-                            fmt::format("{}{:.4g}", bound, luminance), fmt::format("{:.4g}", areas[i]),
-                            fmt::format("{}{:.4g}", bound, flux)});
-    section.json.push_back({{"name", m.name},
-                            {"type", type},
-                            {"spectrum", name},
-                            {"x", lamp.chromaticity.x},
-                            {"y", lamp.chromaticity.y},
-                            {varies ? "luminance_cd_per_m2_at_most" : "luminance_cd_per_m2", luminance},
-                            {"area_m2", areas[i]},
-                            {varies ? "flux_lm_at_most" : "flux_lm", flux}});
-  }
-  for (const GltfContents::Named& light : contents.lights) {
-    section.rows.push_back({name_text(light.name), light.type, "not rendered"});
-    section.json.push_back({{"name", light.name}, {"type", light.type}, {"rendered", false}});
-  }
   return section;
 }
 

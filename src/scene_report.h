@@ -29,7 +29,8 @@ ReportSection report_cameras(const Scene& scene, const GltfContents& contents);
 ReportSection report_materials(const Scene& scene);
 /// Images that materials read, each once.
 ReportSection report_textures(const Scene& scene);
-/// Emitting materials and punctual lights, with their spectra and photometric quantities.
+/// What lights the scene: glowing materials (their mean luminance), punctual lights, the environment; with
+/// their spectra. The flux of what is far away is that which meets the scene's bounding sphere.
 ReportSection report_lamps(const Scene& scene, const GltfContents& contents);
 
 }  // namespace photopic

@@ -45,6 +45,7 @@ std::string format_columns(const std::vector<std::vector<std::string>>& rows) {
       table += (i == 0 ? "" : "  ") + row[i];
       if (i + 1 < row.size()) table.append(widths[i] - character_count(row[i]), ' ');
     }
+    while (table.ends_with(' ')) table.pop_back();
     table += '\n';
   }
   return table;

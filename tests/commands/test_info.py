@@ -6,7 +6,7 @@ import pathlib
 import unittest
 
 from harness import CommandTest
-from tiny_scene import tiny_scene
+from tiny_scene import tiny_scene, write_tiny_scene
 
 FIXTURE = pathlib.Path(__file__).parent.parent / "gltf" / "all_features.gltf"
 
@@ -53,7 +53,6 @@ class Info(CommandTest):
         self.assertEqual(json_["file"]["animations"], 1)
         self.assertIn("animations are not played: 1", json_["warnings"])
         self.assertIn("animations are not played: 1", text)
-        self.assertEqual([light["name"] for light in json_["lamps"] if "surface" not in light["type"]], ["sun", "bulb", "torch"])
         self.assertEqual([(c["name"], c["type"], c["used"]) for c in json_["cameras"]],
                          [("eye", "perspective", True), ("plan", "orthographic", False)])  # fmt: skip
         self.assertLess(max(map(len, text.splitlines())), 500)
@@ -68,10 +67,26 @@ class Info(CommandTest):
         self.assertIn("base color", image["read_for"])
         (coated,) = (m for m in json_["materials"] if m["name"] == "coated")
         self.assertEqual(coated["textures"], ["base color", "metallic-roughness", "normal", "emissive", "specular", "specular color"])
-        (lamp,) = (lamp for lamp in json_["lamps"] if lamp["name"] == "coated")
-        # A white texel: 20 times the luminance of linear sRGB 1, 0.5, 0.25.
-        self.assertAlmostEqual(lamp["luminance_cd_per_m2_at_most"], 20 * (0.2126 + 0.5 * 0.7152 + 0.25 * 0.0722), places=2)
         self.assertIn("2x2", text)
+
+    def test_lamps(self):
+        _, json_ = self.info(FIXTURE)
+        lamps = {lamp["name"]: lamp for lamp in json_["lamps"]}
+        luminance = 0.2126 + 0.9 * 0.7152 + 0.8 * 0.0722  # of the sun's color
+        self.assertAlmostEqual(lamps["sun"]["illuminance_lx"], 2 * luminance, places=3)
+        self.assertAlmostEqual(lamps["bulb"]["intensity_cd"], 3, places=5)
+        self.assertAlmostEqual(lamps["bulb"]["flux_lm"], 4 * math.pi * 3, places=4)
+        self.assertEqual((lamps["torch"]["type"], lamps["torch"]["spectrum"]), ("spot", "cie:FL11"))
+        self.assertEqual(lamps["lamp"]["spectrum"], "cie:A")
+        # White where the texture is, 20 times linear sRGB 1, 0.5, 0.25 and no less than nothing.
+        self.assertLess(lamps["coated"]["luminance_cd_per_m2"], 20 * (0.2126 + 0.5 * 0.7152 + 0.25 * 0.0722))
+        self.assertGreater(lamps["coated"]["luminance_cd_per_m2"], 0)
+
+    def test_a_dark_scene_gets_a_sky(self):
+        write_tiny_scene(self.folder / "dark.gltf", emission=None)
+        text, json_ = self.info("dark.gltf")
+        self.assertEqual([lamp["type"] for lamp in json_["lamps"]], ["environment"])
+        self.assertIn("overcast", text)
 
     def test_names_cannot_write_to_the_terminal(self):
         scene = tiny_scene()

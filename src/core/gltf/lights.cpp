@@ -39,6 +39,7 @@ Vec3f direction_of(const GltfDocument& document, const NodeInstance& instance) {
 
 PunctualLight place(const GltfDocument& document, const NodeInstance& instance, PunctualLight light,
                     const tinygltf::Light& source, Vec3d origin) {
+  light.name = source.name.empty() ? document.model.nodes[instance.node].name : source.name;
   light.position = to_float(instance.to_world.t - origin);
   if (light.kind != PunctualLight::Kind::point) light.direction = direction_of(document, instance);
   if (light.kind == PunctualLight::Kind::spot) {

@@ -168,7 +168,5 @@ inline constexpr auto kSupported = std::to_array<std::string_view>({
     "KHR_xmp_json_ld",
     "KHR_animation_pointer",
 });
-/// May be required too, but the loader warns of what it leaves out.
-inline constexpr std::array<std::string_view, 0> kReported{};
 
 }  // namespace photopic::gltf_rules

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/lights/light.h"
 
@@ -16,6 +17,7 @@ struct PunctualLight {
   float cos_outer = 0.0f;      ///< of the cone beyond which it is dark
   float intensity = 0.0f;      ///< along the direction [cd]; directional: illuminance facing it [lx]
   int emission_spectrum = -1;  ///< index into Scene::emission_spectra
+  std::string name{};          ///< the light's, else its node's
 
   /// A spot's angular attenuation, 0 … 1: KHR_lights_punctual, "Inner and Outer Cone Angles".
   float attenuation(float cosine) const;
