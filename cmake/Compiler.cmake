@@ -8,7 +8,7 @@ add_library(photopic_flags INTERFACE)
 target_include_directories(photopic_flags INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_definitions(photopic_flags INTERFACE PHOTOPIC_VERSION="${PROJECT_VERSION}")
 # sqrt and friends need not set errno, nor floating point trap; NaN and infinity keep their meaning.
-target_compile_options(photopic_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi -Wno-restrict -fno-math-errno -fno-trapping-math)
+target_compile_options(photopic_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-psabi $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -fno-math-errno -fno-trapping-math)
 if(PHOTOPIC_WERROR)
   target_compile_options(photopic_flags INTERFACE -Werror)
 endif()

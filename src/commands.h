@@ -21,7 +21,11 @@ struct SceneArguments {
   std::filesystem::path scene;
   std::vector<std::string> emitters;  ///< "[NAME=]SPECTRUM"
   std::string camera;                 ///< empty: the scene's first
-  std::string resolution;             ///< "WxH" [pixels]; empty: the camera's
+  std::filesystem::path environment;  ///< a picture of the surroundings; empty: none
+  double environment_rotation = 0.0;  ///< about +y [degrees]
+  double environment_strength = 1.0;
+  double punctual_scale = 1.0;  ///< factor on the intensities of punctual lights
+  std::string resolution;       ///< "WxH" [pixels]; empty: the camera's
 
   int spp = 64;                        ///< samples per pixel, at most
   double seconds = 0;                  ///< end a render after so long; 0: no limit

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "core/framing.h"
 #include "core/surface.h"
 #include "spectral/illuminants.h"
 #include "spectral/lamp_description.h"
@@ -20,6 +20,7 @@ using Json = nlohmann::ordered_json;
 
 /// Embree's tree of single triangles: measured on scenes of 10,000 to 1 million triangles.
 constexpr double kTreeBytesPerTriangle = 190;
+constexpr double kTreeBytesPerInstance = 360;  // of 500,000 instances
 
 template <typename T>
 std::size_t bytes_of(const std::vector<T>& list) {
@@ -28,7 +29,7 @@ std::size_t bytes_of(const std::vector<T>& list) {
 
 std::size_t geometry_bytes(const Geometry& g) {
   std::size_t bytes = bytes_of(g.positions) + bytes_of(g.triangles) + bytes_of(g.shapes) +
-                      bytes_of(g.normals) + bytes_of(g.tangents) + bytes_of(g.colors);
+                      bytes_of(g.instances) + bytes_of(g.normals) + bytes_of(g.tangents) + bytes_of(g.colors);
   for (const auto& set : g.uvs) bytes += bytes_of(set);
   return bytes;
 }
@@ -37,18 +38,8 @@ std::string size_text(double bytes) {
   return bytes < 1e6 ? fmt::format("{:.1f} kB", bytes * 1e-3) : fmt::format("{:.1f} MB", bytes * 1e-6);
 }
 
-struct Bounds {
-  Vec3d low, high;
-};
-Bounds world_bounds(const Scene& scene) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  Vec3f low{kInfinity, kInfinity, kInfinity}, high = -low;
-  for (const Vec3f& p : scene.geometry.positions) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  if (scene.geometry.positions.empty()) low = high = {};
-  return {to_double(low) + scene.origin, to_double(high) + scene.origin};
+std::string name_text(const std::string& name) {
+  return name.empty() ? "(no name)" : name;
 }
 
 std::string point_text(Vec3d p) {
@@ -134,23 +125,28 @@ std::string temperature_text(const LampDescription& lamp) {
 
 ReportSection report_geometry(const Scene& scene) {
   const Geometry& g = scene.geometry;
-  const Bounds bounds = world_bounds(scene);
-  const Vec3d size = bounds.high - bounds.low;
+  const BoundingBox box = bounding_box(g);
+  const Vec3d low = to_double(box.low) + scene.origin, high = to_double(box.high) + scene.origin;
+  const Vec3d size = high - low;
   const auto stored = static_cast<double>(geometry_bytes(g));
-  const double tree = kTreeBytesPerTriangle * static_cast<double>(g.triangles.size());
+  const double tree = kTreeBytesPerTriangle * static_cast<double>(g.triangles.size()) +
+                      kTreeBytesPerInstance * static_cast<double>(g.instances.size());
   ReportSection section{"geometry", "geometry", {}, {}};
   section.rows = {
       {"triangles", std::to_string(g.triangles.size())},
       {"vertices", std::to_string(g.positions.size())},
       {"shapes", std::to_string(g.shapes.size())},
-      {"bounds [m]", point_text(bounds.low) + " to " + point_text(bounds.high)},
+      {"instances", fmt::format("{} of {} meshes", g.instances.size(), g.prototypes.size())},
+      {"bounds [m]", point_text(low) + " to " + point_text(high)},
       {"size [m]", fmt::format("{:.4g} x {:.4g} x {:.4g}", size.x, size.y, size.z)},
       {"memory", fmt::format("{} and about {} of Embree's tree", size_text(stored), size_text(tree))},
   };
   section.json = {{"triangles", g.triangles.size()},
                   {"vertices", g.positions.size()},
                   {"shapes", g.shapes.size()},
-                  {"bounds_m", {point_json(bounds.low), point_json(bounds.high)}},
+                  {"instances", g.instances.size()},
+                  {"shared_meshes", g.prototypes.size()},
+                  {"bounds_m", {point_json(low), point_json(high)}},
                   {"bytes", stored},
                   {"tree_bytes_estimate", tree}};
   return section;
@@ -160,25 +156,35 @@ ReportSection report_cameras(const Scene& scene, const GltfContents& contents) {
   ReportSection section{
       "cameras", "cameras", {{"name", "type", "position [m]", "field of view", "image"}}, {}};
   section.json = Json::array();
-  bool found = false;
-  for (const GltfContents::Named& camera : contents.cameras) {
-    const bool used = !found && scene.camera.width > 0 && camera.name == scene.camera_name;
-    found |= used;
-    Json json = {{"name", camera.name}, {"type", camera.type}, {"used", used}};
-    std::vector<std::string> row = {camera.name, camera.type, "", "", "not used"};
+  const Camera& camera = scene.camera;
+  const auto add = [&](const std::string& name, const std::string& type, bool used) {
+    Json json = {{"name", name}, {"type", type}, {"used", used}};
+    std::vector<std::string> row = {name_text(name), type, "", "", "not used"};
     if (used) {
-      const Vec3d position = to_double(scene.camera.position) + scene.origin;
-      const double yfov = 2.0 * std::atan(scene.camera.tan_half_yfov) * 180.0 / std::numbers::pi;
+      const Vec3d position = to_double(camera.position) + scene.origin;
+      const double yfov = 2.0 * std::atan(camera.tan_half_yfov) * 180.0 / std::numbers::pi;
+      const double height = 2.0 * camera.half_height;
       row[2] = point_text(position);
-      row[3] = fmt::format("{:.1f}°", yfov);
-      row[4] = fmt::format("{}x{}", scene.camera.width, scene.camera.height);
+      row[3] = camera.orthographic() ? fmt::format("{:.4g} m", height) : fmt::format("{:.1f}°", yfov);
+      row[4] = fmt::format("{}x{}", camera.width, camera.height);
       json["position_m"] = point_json(position);
-      json["yfov_degrees"] = yfov;
-      json["resolution"] = {scene.camera.width, scene.camera.height};
+      json[camera.orthographic() ? "height_m" : "yfov_degrees"] = camera.orthographic() ? height : yfov;
+      json["resolution"] = {camera.width, camera.height};
+      if (camera.has_lens()) {
+        json["aperture_radius_m"] = camera.aperture_radius;
+        json["focus_distance_m"] = camera.focus_distance;
+      }
     }
     section.rows.push_back(std::move(row));
     section.json.push_back(std::move(json));
+  };
+  bool found = false;
+  for (const GltfContents::Named& listed : contents.cameras) {
+    const bool used = !found && listed.name == scene.camera_name;
+    found |= used;
+    add(listed.name, listed.type, used);
   }
+  if (!found) add(scene.camera_name, "perspective", true);  // the one that frames the scene
   return section;
 }
 
@@ -221,7 +227,7 @@ ReportSection report_lamps(const Scene& scene, const GltfContents& contents) {
     const double flux =
         std::numbers::pi * m.emission_luminance * areas[i] * sides;  // of a Lambertian emitter
     const std::string& name = scene.emission_names[spectrum];
-    section.rows.push_back({m.name, "surface", name, temperature_text(lamp),
+    section.rows.push_back({name_text(m.name), "surface", name, temperature_text(lamp),
                             fmt::format("{:.4g}", m.emission_luminance), fmt::format("{:.4g}", areas[i]),
                             fmt::format("{:.4g}", flux)});
     section.json.push_back({{"name", m.name},
@@ -234,7 +240,7 @@ ReportSection report_lamps(const Scene& scene, const GltfContents& contents) {
                             {"flux_lm", flux}});
   }
   for (const GltfContents::Named& light : contents.lights) {
-    section.rows.push_back({light.name, light.type, "not rendered"});
+    section.rows.push_back({name_text(light.name), light.type, "not rendered"});
     section.json.push_back({{"name", light.name}, {"type", light.type}, {"rendered", false}});
   }
   return section;

@@ -47,7 +47,7 @@ void parse_resolution(std::string_view text, GltfOptions& options) {
 }  // namespace
 
 std::vector<std::filesystem::path> input_files(const SceneArguments& arguments) {
-  std::vector<std::filesystem::path> files{arguments.scene, arguments.distribution};
+  std::vector<std::filesystem::path> files{arguments.scene, arguments.distribution, arguments.environment};
   for (const std::string& text : arguments.emitters) files.push_back(parse_emitter(text).text);
   return files;
 }
@@ -60,6 +60,9 @@ GltfOptions gltf_options(const SceneArguments& arguments) {
   GltfOptions options;
   for (const std::string& text : arguments.emitters) options.emitters.push_back(parse_emitter(text));
   options.camera = arguments.camera;
+  options.punctual_scale = arguments.punctual_scale;
+  options.environment = {arguments.environment, arguments.environment_rotation,
+                         arguments.environment_strength};
   if (!arguments.resolution.empty()) parse_resolution(arguments.resolution, options);
   return options;
 }

@@ -9,7 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <limits>
+#include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -61,17 +64,48 @@ void load(const RayArray& rays, std::span<const std::uint32_t> slots, RTCRay16& 
   }
 }
 
+/// What lets rays through a shape that covers in part.
+struct Sieve {
+  const Geometry& geometry;
+  const Surface& surface;
+  std::uint32_t first_triangle;
+
+  /// Embree's filter, for nearest hits and for shadows.
+  static void filter(const RTCFilterFunctionNArguments* a) {
+    const Sieve& sieve = *static_cast<const Sieve*>(a->geometryUserPtr);
+    for (unsigned i = 0; i < a->N; ++i) {
+      if (a->valid[i] == 0) continue;
+      const TrianglePoint point(sieve.geometry, sieve.first_triangle + RTCHitN_primID(a->hit, a->N, i),
+                                RTCHitN_u(a->hit, a->N, i), RTCHitN_v(a->hit, a->N, i));
+      const float coverage = sieve.surface.coverage(point);
+      if (coverage < 1.0f && hash_to_unit(*a, i) >= coverage) a->valid[i] = 0;
+    }
+  }
+
+  void attach(RTCGeometry mesh) {
+    rtcSetGeometryUserData(mesh, this);
+    rtcSetGeometryIntersectFilterFunction(mesh, filter);
+    rtcSetGeometryOccludedFilterFunction(mesh, filter);
+  }
+};
+
 }  // namespace
+
+struct ReleaseScene {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using SceneHandle = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 
 struct Accel::Handles {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::string error;  ///< the last that Embree reported
+  std::vector<std::unique_ptr<Sieve>> sieves;
 
   Handles() : device(rtcNewDevice(nullptr)) {
     if (!device) throw std::runtime_error("Embree: no device");
     rtcSetDeviceErrorFunction(device, keep_error, &error);
-    scene = rtcNewScene(device);
+    scene = new_scene().release();
   }
   ~Handles() {
     rtcReleaseScene(scene);
@@ -79,6 +113,44 @@ struct Accel::Handles {
   }
   Handles(const Handles&) = delete;
   Handles& operator=(const Handles&) = delete;
+
+  SceneHandle new_scene() const {
+    SceneHandle made(rtcNewScene(device));
+    rtcSetSceneFlags(made.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(made.get(), RTC_BUILD_QUALITY_HIGH);
+    return made;
+  }
+
+  void attach(RTCScene to, RTCGeometry made) const {
+    rtcCommitGeometry(made);
+    rtcAttachGeometry(to, made);
+    rtcReleaseGeometry(made);
+  }
+
+  void attach_shapes(RTCScene to, const Geometry& geometry, std::span<const Surface> surfaces,
+                     std::size_t first, std::size_t count) {
+    for (const Shape& shape : std::span(geometry.shapes).subspan(first, count)) {
+      RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+      rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                 geometry.positions.data(), 0, sizeof(Vec3f), geometry.positions.size());
+      rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, geometry.triangles.data(),
+                                 shape.first_triangle * sizeof(geometry.triangles[0]),
+                                 sizeof(geometry.triangles[0]), shape.triangle_count);
+      if (const Surface& surface = surfaces[shape.material]; surface.partly_covers) {
+        sieves.push_back(std::make_unique<Sieve>(Sieve{geometry, surface, shape.first_triangle}));
+        sieves.back()->attach(mesh);
+      }
+      attach(to, mesh);
+    }
+  }
+
+  void attach_instance(RTCScene prototype, const Affinef& to_world) const {
+    static_assert(sizeof(Affinef) == 12 * sizeof(float));  // four columns
+    RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
+    rtcSetGeometryInstancedScene(instance, prototype);
+    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &to_world);
+    attach(scene, instance);
+  }
 
   RTCRayHit intersect(const RTCRay& ray) const {
     RTCRayHit query{ray, {}};
@@ -125,51 +197,24 @@ struct Accel::Handles {
   }
 };
 
-/// What lets rays through a shape that covers in part.
-struct Accel::Sieve {
-  const Geometry& geometry;
-  const Surface& surface;
-  std::uint32_t first_triangle;
-
-  /// Embree's filter, for nearest hits and for shadows.
-  static void filter(const RTCFilterFunctionNArguments* a) {
-    const Sieve& sieve = *static_cast<const Sieve*>(a->geometryUserPtr);
-    for (unsigned i = 0; i < a->N; ++i) {
-      if (a->valid[i] == 0) continue;
-      const TrianglePoint point(sieve.geometry, sieve.first_triangle + RTCHitN_primID(a->hit, a->N, i),
-                                RTCHitN_u(a->hit, a->N, i), RTCHitN_v(a->hit, a->N, i));
-      const float coverage = sieve.surface.coverage(point);
-      if (coverage < 1.0f && hash_to_unit(*a, i) >= coverage) a->valid[i] = 0;
-    }
-  }
-
-  void attach(RTCGeometry mesh) {
-    rtcSetGeometryUserData(mesh, this);
-    rtcSetGeometryIntersectFilterFunction(mesh, filter);
-    rtcSetGeometryOccludedFilterFunction(mesh, filter);
-  }
-};
-
-Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces) : handles_(std::make_unique<Handles>()) {
-  rtcSetSceneFlags(handles_->scene, RTC_SCENE_FLAG_ROBUST);
-  rtcSetSceneBuildQuality(handles_->scene, RTC_BUILD_QUALITY_HIGH);
+Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces)
+    : handles_(std::make_unique<Handles>()),
+      baked_shapes_(static_cast<std::uint32_t>(geometry.baked_shape_count())) {
   geometry.positions.reserve(geometry.positions.size() + 1);
+  for (const Shape& shape : geometry.shapes) first_triangle_.push_back(shape.first_triangle);
+  handles_->attach_shapes(handles_->scene, geometry, surfaces, 0, baked_shapes_);
 
-  for (const Shape& shape : geometry.shapes) {
-    RTCGeometry mesh = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, geometry.positions.data(),
-                               0, sizeof(Vec3f), geometry.positions.size());
-    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, geometry.triangles.data(),
-                               shape.first_triangle * sizeof(geometry.triangles[0]),
-                               sizeof(geometry.triangles[0]), shape.triangle_count);
-    if (const Surface& surface = surfaces[shape.material]; surface.partly_covers) {
-      sieves_.push_back(std::make_unique<Sieve>(Sieve{geometry, surface, shape.first_triangle}));
-      sieves_.back()->attach(mesh);
-    }
-    rtcCommitGeometry(mesh);
-    rtcAttachGeometry(handles_->scene, mesh);
-    rtcReleaseGeometry(mesh);
-    first_triangle_.push_back(shape.first_triangle);
+  // Prototypes are scenes of their own; the instances keep them alive.
+  std::vector<SceneHandle> prototypes;
+  for (const Prototype& prototype : geometry.prototypes) {
+    prototypes.push_back(handles_->new_scene());
+    handles_->attach_shapes(prototypes.back().get(), geometry, surfaces, prototype.first_shape,
+                            prototype.shape_count);
+    rtcCommitScene(prototypes.back().get());
+  }
+  for (const Instance& instance : geometry.instances) {
+    handles_->attach_instance(prototypes[instance.prototype].get(), instance.to_world);
+    first_shape_.push_back(geometry.prototypes[instance.prototype].first_shape);
   }
   rtcCommitScene(handles_->scene);
   if (!handles_->error.empty()) throw std::runtime_error("Embree: " + handles_->error);
@@ -179,16 +224,31 @@ Accel::~Accel() = default;
 Accel::Accel(Accel&&) noexcept = default;
 Accel& Accel::operator=(Accel&&) noexcept = default;
 
+Hit Accel::make_hit(std::uint32_t geometry, std::uint32_t primitive, std::uint32_t instance, float u, float v,
+                    float t) const {
+  if (geometry == RTC_INVALID_GEOMETRY_ID) return {};
+  if (instance == RTC_INVALID_GEOMETRY_ID)
+    return {geometry, first_triangle_[geometry] + primitive, kNoInstance, u, v, t};
+  const std::uint32_t index = instance - baked_shapes_, shape = first_shape_[index] + geometry;
+  return {shape, first_triangle_[shape] + primitive, index, u, v, t};
+}
+
 Hit Accel::intersect(const Ray& ray) const {
-  const RTCRayHit query =
+  const auto [found, hit] =
       handles_->intersect(make_ray(ray.origin, ray.direction, std::numeric_limits<float>::infinity()));
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-  return {query.hit.geomID, first_triangle_[query.hit.geomID] + query.hit.primID, query.hit.u, query.hit.v,
-          query.ray.tfar};
+  return make_hit(hit.geomID, hit.primID, hit.instID[0], hit.u, hit.v, found.tfar);
 }
 
 bool Accel::occluded(const Ray& ray, float t_max) const {
   return handles_->occluded(make_ray(ray.origin, ray.direction, t_max));
+}
+
+double Accel::radius() const {
+  if (first_triangle_.empty()) return 0.0;
+  RTCBounds b;
+  rtcGetSceneBounds(handles_->scene, &b);
+  const double x = b.upper_x - b.lower_x, y = b.upper_y - b.lower_y, z = b.upper_z - b.lower_z;
+  return 0.5 * std::sqrt(x * x + y * y + z * z);
 }
 
 void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits) const {
@@ -201,11 +261,9 @@ void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots
     std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
     handles_->intersect(valid.data(), query);
     for (std::size_t i = 0; i < packet.size(); ++i) {
-      const std::uint32_t shape = query.hit.geomID[i];
-      hits[packet[i]] = shape == RTC_INVALID_GEOMETRY_ID
-                            ? Hit{}
-                            : Hit{shape, first_triangle_[shape] + query.hit.primID[i], query.hit.u[i],
-                                  query.hit.v[i], query.ray.tfar[i]};
+      const auto& hit = query.hit;
+      hits[packet[i]] =
+          make_hit(hit.geomID[i], hit.primID[i], hit.instID[0][i], hit.u[i], hit.v[i], query.ray.tfar[i]);
     }
   }
 }

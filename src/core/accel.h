@@ -25,13 +25,14 @@ struct RayArray {
   explicit RayArray(std::size_t size) : origin(size), direction(size), t_max(size) {}
 };
 
-inline constexpr std::uint32_t kNoHit = ~0u;
+inline constexpr std::uint32_t kNoHit = ~0u, kNoInstance = ~0u;
 
 /// Where a ray meets a triangle.
 struct Hit {
   std::uint32_t shape = kNoHit;
-  std::uint32_t triangle = kNoHit;  ///< index into Geometry::triangles
-  float u = 0, v = 0;               ///< barycentric coordinates of the second and third vertex
+  std::uint32_t triangle = kNoHit;       ///< index into Geometry::triangles
+  std::uint32_t instance = kNoInstance;  ///< index into Geometry::instances, if the shape is a prototype's
+  float u = 0, v = 0;                    ///< barycentric coordinates of the second and third vertex
   float t = 0;
 };
 
@@ -60,12 +61,19 @@ class Accel {
   Hit intersect(const Ray& ray) const;
   bool occluded(const Ray& ray, float t_max) const;
 
+  /// Of a sphere that holds the scene, wherever its middle [m]; 0 when there is nothing.
+  double radius() const;
+
  private:
   struct Handles;
-  struct Sieve;
+  /// Of Embree's numbers.
+  Hit make_hit(std::uint32_t geometry, std::uint32_t primitive, std::uint32_t instance, float u, float v,
+               float t) const;
+
   std::unique_ptr<Handles> handles_;
-  std::vector<std::unique_ptr<Sieve>> sieves_;
   std::vector<std::uint32_t> first_triangle_;  ///< of each shape
+  std::uint32_t baked_shapes_;                 ///< stand before the instances in Embree's numbers
+  std::vector<std::uint32_t> first_shape_;     ///< of each instance
 };
 
 }  // namespace photopic

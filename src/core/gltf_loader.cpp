@@ -8,6 +8,7 @@
 #include "core/gltf/document.h"
 #include "core/gltf/emission.h"
 #include "core/gltf/geometry.h"
+#include "core/gltf/lights.h"
 #include "core/gltf/material.h"
 #include "core/gltf/nodes.h"
 #include "core/gltf/rules.h"
@@ -23,23 +24,12 @@ void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& war
   };
   std::vector<std::string> names = document.model.extensionsUsed;
   std::ranges::sort(names);
-  names.erase(std::ranges::unique(names).begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   for (const std::string& name : names) {
     if (!known(name)) warnings.push_back(fmt::format("the extension {} is ignored", name.substr(0, 60)));
   }
   if (document.animation_count > 0)
     warnings.push_back(fmt::format("animations are not played: {}", document.animation_count));
-}
-
-void check_complete(const GltfDocument& document, const Scene& scene) {
-  const std::string file = document.file.path.string();
-  if (scene.camera.width == 0) {
-    throw InputError(file, "the scene has no perspective camera",
-                     "add one, and let the exporter include cameras");
-  }
-  if (scene.emission_spectra.empty()) {
-    throw InputError(file, "nothing in the scene emits light", "give a material an emissiveFactor above 0");
-  }
 }
 
 }  // namespace
@@ -57,9 +47,12 @@ Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, cons
   load_gltf_materials(document, scene);
   load_gltf_geometry(document, instances, scene);
   load_gltf_textures(document, scene);
-  load_gltf_emission(document, options.emitters, scene);
+  GltfEmissions emissions(document, options.emitters, scene);
+  load_gltf_emission(document, emissions, scene);
+  load_gltf_lights(document, instances, options, emissions, scene);
+  load_gltf_environment(document, options, emissions, scene);
+  emissions.check_overrides();
   load_gltf_camera(document, instances, options, scene);
-  if (!options.allow_incomplete) check_complete(document, scene);
   return scene;
 }
 

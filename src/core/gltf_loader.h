@@ -11,15 +11,17 @@ namespace photopic {
 
 /// `--emitter [NAME=]SPECTRUM`
 struct EmitterOverride {
-  std::string name;  ///< of the material; empty: every emitter
+  std::string name;  ///< of the material or light, or "environment"; empty: every emitter
   std::string text;  ///< SPECTRUM as the user wrote it; files relative to the working folder
 };
 
 struct GltfOptions {
   std::vector<EmitterOverride> emitters{};  ///< later ones win; a NAME wins over an empty name
-  std::string camera{};                     ///< name of a camera or its node; empty: the first in the scene
-  int width = 0, height = 0;      ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
-  bool allow_incomplete = false;  ///< no camera (its width stays 0) and no light are no errors
+  std::string camera{};       ///< name of a camera or its node, else its index; empty: the first in the scene
+  int width = 0, height = 0;  ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
+  double punctual_scale = 1.0;  ///< factor on the intensities of KHR_lights_punctual
+  EnvironmentOptions environment{};
+  bool allow_incomplete = false;  ///< no light gets no sky
 };
 
 /// Loads the default scene of a .gltf or .glb file. Everything read from the file is checked before it is

@@ -101,8 +101,9 @@ void write_now(const std::filesystem::path& file, const Image& image, const Meta
 
 /// Where three channels of these names stand side by side; −1: nowhere.
 int find_channels(const OIIO::ImageSpec& spec, const std::array<std::string, 3>& names) {
-  const auto found = std::ranges::search(spec.channelnames, names);
-  return found.empty() ? -1 : static_cast<int>(found.begin() - spec.channelnames.begin());
+  const auto& channels = spec.channelnames;
+  const auto found = std::search(channels.begin(), channels.end(), names.begin(), names.end());
+  return found == channels.end() ? -1 : static_cast<int>(found - channels.begin());
 }
 
 }  // namespace

@@ -13,7 +13,8 @@ template <int N>
 class LayeredBsdf {
  public:
   static constexpr bool kTwoSided = true;
-  static constexpr bool kHasGrain = true;  ///< the frame's s and t matter
+  static constexpr bool kLayered =
+      true;  ///< may have a grain, which the frame follows, and let light through
 
   LayeredBsdf(const ShadingMaterial<N>& m, Vec3f wo)
       : wo_(wo), base_(m, wo), sheen_(m.surface().extensions->sheen_roughness, {0, 0, 0}) {

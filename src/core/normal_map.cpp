@@ -14,6 +14,11 @@ struct Tangent {
   float sign;
 };
 
+/// Where the triangle is an instance's: its placing in the world.
+const Affinef* placing(const Geometry& geometry, const Hit& hit) {
+  return hit.instance == kNoInstance ? nullptr : &geometry.instances[hit.instance].to_world;
+}
+
 std::optional<Tangent> given_tangent(const Geometry& geometry, const Hit& hit) {
   if (geometry.tangents.empty()) return std::nullopt;
   const auto& [ia, ib, ic] = geometry.triangles[hit.triangle];
@@ -21,7 +26,9 @@ std::optional<Tangent> given_tangent(const Geometry& geometry, const Hit& hit) {
   const float w = 1.0f - hit.u - hit.v;
   const Vec3f t = Vec3f{a.x, a.y, a.z} * w + Vec3f{b.x, b.y, b.z} * hit.u + Vec3f{c.x, c.y, c.z} * hit.v;
   if (a.w == 0.0f || t == Vec3f{}) return std::nullopt;
-  return Tangent{t, a.w};
+  const Affinef* to_world = placing(geometry, hit);
+  if (!to_world) return Tangent{t, a.w};
+  return Tangent{to_world->vector(t), to_world->determinant() < 0.0f ? -a.w : a.w};
 }
 
 /// ∂p/∂u of the texture's coordinates.
@@ -34,8 +41,10 @@ std::optional<Tangent> texture_tangent(const Geometry& geometry, const Hit& hit,
   const Vec2f ab{b.x - a.x, b.y - a.y}, ac{c.x - a.x, c.y - a.y};
   const float determinant = ab.x * ac.y - ab.y * ac.x;
   if (determinant == 0.0f || !std::isfinite(determinant)) return std::nullopt;
-  const Vec3f p = geometry.positions[ia], edge1 = geometry.positions[ib] - p,
-              edge2 = geometry.positions[ic] - p;
+  const Vec3f p = geometry.positions[ia];
+  Vec3f edge1 = geometry.positions[ib] - p, edge2 = geometry.positions[ic] - p;
+  if (const Affinef* to_world = placing(geometry, hit))
+    edge1 = to_world->vector(edge1), edge2 = to_world->vector(edge2);
   const float orientation = determinant < 0.0f ? -1.0f : 1.0f;
   const Vec3f t = (edge1 * ac.y - edge2 * ab.y) * orientation;  // times |determinant|
   const Vec3f v = (edge2 * ab.x - edge1 * ac.x) * orientation;

@@ -6,6 +6,7 @@
 #include "core/ggx_albedo.h"
 #include "core/sheen.h"
 #include "spectral/lamp_set.h"
+#include "spectral/rgb_light.h"
 
 namespace photopic {
 
@@ -13,8 +14,9 @@ PreparedScene::PreparedScene(Scene source)
     : scene(std::move(source)),
       surfaces(scene.materials.begin(), scene.materials.end()),
       accel(scene.geometry, surfaces),
-      lights(scene) {
+      lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces) {
   // What is made when first asked for is made now, on nobody's clock.
+  if (scene.environment) rgb_tints();
   const auto is_rough = [](const Surface& s) { return s.opaque_kind != BsdfKind::diffuse || s.transmits; };
   if (std::ranges::any_of(surfaces, is_rough)) GgxAlbedo::table();
   for (const Surface& s : surfaces) {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/accel.h"
-#include "core/light_sampler.h"
+#include "core/lights/light_sampler.h"
 #include "core/scene.h"
 #include "core/surface.h"
 
@@ -21,7 +21,7 @@ struct PreparedScene {
   LightSampler lights;
 };
 
-/// The emission that wavelength samplers adapt to: the scene's emission spectra weighted by emitted power.
+/// The emission that wavelength samplers adapt to: the scene's emission spectra weighted by luminous flux.
 TabulatedSpectrum scene_emission(const PreparedScene& scene);
 
 /// The same lamps one by one, as the optimiser takes them: a lamp_set. Empty when the scene has no light.

@@ -11,7 +11,7 @@ struct SinCos {
   float sin, cos;
 };
 
-/// sin 2πu and cos 2πu for u in [0, 1], to 2e-7: Taylor polynomials about the nearest quarter turn.
+/// sin 2πu and cos 2πu for u in [−1/8, 1], to 2e-7: Taylor polynomials about the nearest quarter turn.
 inline SinCos sin_cos_two_pi(float u) {
   const float quarter = std::floor(4.0f * u + 0.5f);
   const float x = (u - 0.25f * quarter) * (2.0f * kPi);  // in [−π/4, π/4]
@@ -21,6 +21,17 @@ inline SinCos sin_cos_two_pi(float u) {
   const int q = static_cast<int>(quarter) & 3;
   const float sin = (q & 1) ? c : s, cos = (q & 1) ? s : c;
   return {(q & 2) ? -sin : sin, (q == 1 || q == 2) ? -cos : cos};
+}
+
+/// The unit disk, squares becoming wedges: Shirley & Chiu 1997, "A Low Distortion Map Between Disk and
+/// Square". Density 1/π.
+inline Sample2d sample_disk(Sample2d u) {
+  const float a = 2.0f * u.x - 1.0f, b = 2.0f * u.y - 1.0f;
+  if (a == 0.0f && b == 0.0f) return {0.0f, 0.0f};
+  const bool wide = std::abs(a) > std::abs(b);
+  const float radius = wide ? a : b;
+  const SinCos phi = sin_cos_two_pi(wide ? 0.125f * (b / a) : 0.25f - 0.125f * (a / b));
+  return {radius * phi.cos, radius * phi.sin};
 }
 
 /// Cosine-weighted hemisphere about +z.

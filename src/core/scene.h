@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "core/affine.h"
 #include "core/camera.h"
+#include "core/lights/environment.h"
+#include "core/lights/punctual_light.h"
 #include "core/material_extensions.h"
 #include "core/math.h"
 #include "core/texture.h"
@@ -67,8 +70,7 @@ struct Material {
       false;  ///< KHR_materials_unlit: a lamp in its base colour (vertex colours too) that reflects nothing
 };
 
-/// A range of triangles that share a material: one glTF primitive, under one node or, where instances share
-/// it, under many.
+/// A range of triangles that share a material.
 struct Shape {
   std::uint32_t first_triangle = 0, triangle_count = 0;
   std::uint32_t material = 0;
@@ -76,12 +78,33 @@ struct Shape {
 
 inline constexpr int kUvSets = 4;
 
+/// A mesh that instances share: a range of shapes, relative to the middle of its bounding box [m].
+struct Prototype {
+  std::uint32_t first_shape = 0, shape_count = 0;
+};
+
+/// A prototype somewhere in the world.
+struct Instance {
+  Affinef to_world;  ///< relative to Scene::origin; invertible, scales by 1e-6 … 1e6
+  std::uint32_t prototype = 0;
+  float error = 0;  ///< bound on what rounding does to a point of it and to a ray that meets it [m]
+};
+
 /// Triangles in world space, relative to Scene::origin [m]; those of prototypes in the prototype's own space.
 struct Geometry {
   std::vector<Vec3f> positions;
   std::vector<std::array<std::uint32_t, 3>>
-      triangles;              ///< indices into positions; counter-clockwise seen from the front
-  std::vector<Shape> shapes;  ///< cover the triangles in order
+      triangles;  ///< indices into positions; counter-clockwise seen from the front
+  std::vector<Shape>
+      shapes;  ///< cover the triangles in order; those of prototypes stand last, and do not emit
+
+  std::vector<Prototype> prototypes;  ///< empty in most scenes
+  std::vector<Instance> instances;
+
+  /// Shapes that stand in the world by themselves.
+  std::size_t baked_shape_count() const {
+    return prototypes.empty() ? shapes.size() : prototypes.front().first_shape;
+  }
 
   // Per vertex; each is as long as positions, or empty where no surface of the scene needs it.
   std::vector<Vec3f> normals;                   ///< unit shading normals, zero where the surface is flat
@@ -96,6 +119,8 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<TabulatedSpectrum> emission_spectra;  ///< distinct; each with ∫ȳI dλ / ∫ȳ dλ = 1
   std::vector<std::string> emission_names;          ///< of each spectrum, as the user called it
+  std::vector<PunctualLight> punctual_lights;
+  std::shared_ptr<const Environment> environment;  ///< none: paths that leave the scene end in the dark
   Camera camera;
   std::string camera_name;  ///< of the camera, else of its node
   Vec3d origin;             ///< world position of the coordinates' zero: floats stay accurate far from 0

@@ -29,6 +29,15 @@ inline float position_error(Vec3f a, Vec3f b, Vec3f c) {
   return kPositionError * std::max({max_abs(a), max_abs(b), max_abs(c)});
 }
 
+/// The same of an instance, whatever the point and the ray: rounding of the prototype's points and of their
+/// way to the world, and of a ray's way to the prototype, magnified on the way back.
+/// @param half_size of the prototype's box about its own zero
+inline float instance_error(const Affine& to_world, Vec3d half_size) {
+  const double reach = max_abs(to_world.x) * half_size.x + max_abs(to_world.y) * half_size.y +
+                       max_abs(to_world.z) * half_size.z + max_abs(to_world.t);
+  return kPositionError * static_cast<float>(rounding_gain(to_world) * reach);
+}
+
 /// The share by which points of a triangle are drawn towards its middle: by more than rounding may have moved
 /// them, so that beside an edge none comes to lie behind the wall that shares it. @param edge the triangle's
 /// longest [m]
@@ -38,21 +47,29 @@ inline float shrink_to_middle(float error, float edge) {
 
 inline SurfacePoint surface_point(const Geometry& geometry, const Hit& hit) {
   const auto& triangle = geometry.triangles[hit.triangle];
-  const Vec3f a = geometry.positions[triangle[0]];
+  Vec3f a = geometry.positions[triangle[0]];
   const Vec3f b = geometry.positions[triangle[1]];
   const Vec3f c = geometry.positions[triangle[2]];
-  const Vec3f ab = b - a, ac = c - a;
-  const float edge = std::max(max_abs(ab), max_abs(ac));  // scaled, so that tiny triangles do not underflow
+  Vec3f ab = b - a, ac = c - a;
   SurfacePoint point;
-  point.geometric_normal = normalize(cross(ab / edge, ac / edge));
   point.error = position_error(a, b, c);
+  const Instance* instance = hit.instance == kNoInstance ? nullptr : &geometry.instances[hit.instance];
+  if (instance) {
+    const Affinef& m = instance->to_world;
+    a = m.point(a), ab = m.vector(ab), ac = m.vector(ac);
+    point.error = instance->error;
+  }
+  const float edge = std::max(max_abs(ab), max_abs(ac));  // scaled, so that tiny triangles do not underflow
+  point.geometric_normal = normalize(cross(ab / edge, ac / edge));
+  if (instance && instance->to_world.determinant() < 0.0f) point.geometric_normal = -point.geometric_normal;
   const float shrink = shrink_to_middle(point.error, edge);
   const float u = hit.u + (1.0f / 3.0f - hit.u) * shrink, v = hit.v + (1.0f / 3.0f - hit.v) * shrink;
-  point.position = a * (1.0f - u - v) + b * u + c * v;
+  point.position = a + ab * u + ac * v;
   point.shading_normal = point.geometric_normal;
   if (!geometry.normals.empty()) {
-    const Vec3f n = geometry.normals[triangle[0]] * (1.0f - hit.u - hit.v) +
-                    geometry.normals[triangle[1]] * hit.u + geometry.normals[triangle[2]] * hit.v;
+    Vec3f n = geometry.normals[triangle[0]] * (1.0f - hit.u - hit.v) + geometry.normals[triangle[1]] * hit.u +
+              geometry.normals[triangle[2]] * hit.v;
+    if (instance) n = instance->to_world.normal(n);
     const float squared = dot(n, n);
     if (squared > 0.0f) point.shading_normal = n / std::sqrt(squared);
     if (dot(point.shading_normal, point.geometric_normal) < 0.0f)

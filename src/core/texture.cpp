@@ -19,13 +19,28 @@ constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 28;
 /// for 258), and a byte holds 8 texels of a bitmap.
 constexpr std::uint64_t kMaxTexelsPerByte = 1032 * 8;
 
+/// Whether the chunks reach to the last, IEND (ISO/IEC 15948, section 5.3).
+bool png_is_whole(std::span<const std::byte> bytes) {
+  for (std::size_t at = 8; at + 12 <= bytes.size();) {
+    std::uint64_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) length = length << 8 | std::to_integer<std::uint64_t>(bytes[at + i]);
+    if (length > bytes.size() - at - 12) return false;
+    if (std::memcmp(bytes.data() + at + 4, "IEND", 4) == 0) return true;
+    at += length + 12;
+  }
+  return false;
+}
+
 /// OpenImageIO's name of the format, by the file's first bytes.
 const char* format_of(std::span<const std::byte> bytes, const std::string& where) {
   const auto starts = [&](std::string_view magic, std::size_t at = 0) {
     return bytes.size() >= at + magic.size() &&
            std::memcmp(bytes.data() + at, magic.data(), magic.size()) == 0;
   };
-  if (starts("\x89PNG\r\n\x1a\n")) return "png";
+  if (starts("\x89PNG\r\n\x1a\n")) {
+    if (!png_is_whole(bytes)) throw InputError(where, "the PNG is cut short", "copy or export it again");
+    return "png";
+  }
   if (starts("\xff\xd8\xff")) return "jpeg";
   const char* found = starts("RIFF") && starts("WEBP", 8) ? "a WebP image"
                       : starts("\xabKTX 20\xbb")          ? "a KTX2 image"
@@ -57,7 +72,7 @@ struct TextureFile::Input {
   std::vector<T> read(OIIO::TypeDesc type) {
     std::vector<T> texels(this->texels() * static_cast<std::size_t>(spec.nchannels));
     if (!image->read_image(0, 0, 0, spec.nchannels, type, texels.data()))
-      fail("the image is damaged: " + one_line(image->geterror()), "export it again");
+      fail("the image is damaged: " + without_controls(image->geterror()), "export it again");
     return texels;
   }
 };
@@ -72,7 +87,7 @@ TextureFile::TextureFile(std::span<const std::byte> bytes, const std::string& wh
   if (!in.image || !in.image->set_ioproxy(&in.memory))
     in.fail(fmt::format("OpenImageIO cannot read {} from memory", format), "install another version of it");
   if (!in.image->open(format, in.spec, config))
-    in.fail("the image cannot be read: " + one_line(in.image->geterror()), "export it again");
+    in.fail("the image cannot be read: " + without_controls(in.image->geterror()), "export it again");
 
   if (in.spec.width < 1 || in.spec.height < 1 || in.texels() > kMaxTexels)
     in.fail(fmt::format("{} x {} texels cannot be read", in.spec.width, in.spec.height),

@@ -37,4 +37,16 @@ struct TrianglePoint {
   Vec4f look_up(const Texture& texture) const { return texture(uv(texture.uv_set)); }
 };
 
+/// The point of a triangle that is nearest to a position in (or by rounding beside) its plane.
+inline TrianglePoint triangle_point_at(const Geometry& geometry, std::uint32_t triangle, Vec3f position) {
+  const auto& [a, b, c] = geometry.triangles[triangle];
+  const Vec3f origin = geometry.positions[a];
+  const Vec3f ab = geometry.positions[b] - origin, ac = geometry.positions[c] - origin,
+              ap = position - origin;
+  const Vec3f n = cross(ab, ac);
+  const float area2 = dot(n, n);
+  const float u = std::clamp(dot(cross(ap, ac), n) / area2, 0.0f, 1.0f);
+  return {geometry, triangle, u, std::clamp(dot(cross(ab, ap), n) / area2, 0.0f, 1.0f - u)};
+}
+
 }  // namespace photopic

@@ -1,11 +1,14 @@
 #include "integrator/naive_path.h"
 
+#include <limits>
+
 #include "core/conductor_bsdf.h"
 #include "core/glass_bsdf.h"
 #include "core/layered_bsdf.h"
 #include "core/opaque_bsdf.h"
 #include "core/spectral_glass_bsdf.h"
 #include "integrator/vertex.h"
+#include "spectral/rgb_light.h"
 
 namespace photopic {
 namespace {
@@ -53,9 +56,20 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
   for (int depth = 1;; ++depth) {
     const Hit hit = scene_.accel.intersect(ray);
     ++stats_.rays;
-    if (hit.shape == kNoHit) break;
+    const bool escaped = hit.shape == kNoHit;
     if (medium >= 0)
-      throughput *= scene_.surfaces[static_cast<std::size_t>(medium)].transmittance(lambda, hit.t);
+      throughput *= scene_.surfaces[static_cast<std::size_t>(medium)].transmittance(
+          lambda, escaped ? std::numeric_limits<float>::infinity() : hit.t);
+    if (escaped) {
+      if (const Environment* environment = scene_.scene.environment.get()) {
+        const Vec3f rgb = environment->radiance(ray.direction);
+        const auto& spectrum =
+            scene_.scene.emission_spectra[static_cast<std::size_t>(environment->emission_spectrum)];
+        radiance +=
+            throughput * SampledTints<N>(lambda)(rgb.x, rgb.y, rgb.z) * sample_emission<N>(spectrum, sampled);
+      }
+      break;
+    }
 
     // Light from the surface itself.
     const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[hit.shape].material];

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/accel.h"
 #include "core/bsdf.h"
+#include "core/prepared_scene.h"
 #include "integrator/path_start.h"
+#include "spectral/rgb_light.h"
 
 namespace photopic {
 
@@ -13,23 +16,27 @@ namespace photopic {
 /// as paths end.
 template <int N>
 struct PathBatch {
-  PathBatch(std::size_t capacity, std::size_t emission_count)
+  /// What a scene does not have is not stored.
+  PathBatch(std::size_t capacity, const PreparedScene& scene)
       : rays(capacity),
         hits(capacity),
         pixel(capacity),
         stream(capacity),
         sampled(capacity),
         wavelengths(capacity),
-        emission(capacity * emission_count),
+        emission(capacity * scene.scene.emission_spectra.size()),
         throughput(capacity),
         radiance(capacity),
         bsdf_pdf(capacity),
         eta_scale(capacity),
         medium(capacity),
+        normal(scene.lights.uses_normals() ? capacity : 0),
+        spectrum_choice(scene.lights.several_spectra() ? emission.size() : 0),
+        tints(scene.scene.environment ? capacity : 0),
         shadow_rays(capacity),
         shadow_radiance(capacity),
         blocked(capacity),
-        emission_count_(emission_count) {
+        emission_count_(scene.scene.emission_spectra.size()) {
     active.reserve(capacity);
     shadowed.reserve(capacity);
     for (auto& queue : by_kind) queue.reserve(capacity);
@@ -38,6 +45,18 @@ struct PathBatch {
   /// Emission spectrum k at the slot's wavelengths.
   SampledSpectrum<N>& emission_of(std::uint32_t slot, int k) {
     return emission[slot * emission_count_ + static_cast<std::size_t>(k)];
+  }
+
+  /// The probabilities of each spectrum's lights at the slot's last vertex; empty where there is one
+  /// spectrum.
+  std::span<float> spectra_of(std::uint32_t slot) {
+    if (spectrum_choice.empty()) return {};
+    return std::span(spectrum_choice).subspan(slot * emission_count_, emission_count_);
+  }
+
+  /// The slot's last vertex as the lights see it.
+  LightReference vertex_of(std::uint32_t slot) const {
+    return {rays.origin[slot], normal.x.empty() ? Vec3f{} : normal[slot]};
   }
 
   // The path so far.
@@ -53,6 +72,10 @@ struct PathBatch {
   std::vector<float> bsdf_pdf;   ///< of the last direction [1/sr]; 0: it was a delta, or the camera's
   std::vector<float> eta_scale;  ///< η² of the interfaces crossed: what roulette must not mistake for loss
   std::vector<std::int32_t> medium;  ///< material of the glass the path is in, −1 outside
+
+  Vec3Array normal;                    ///< of the last vertex, where lights are chosen by it
+  std::vector<float> spectrum_choice;  ///< see spectra_of
+  std::vector<SampledTints<N>> tints;  ///< for the environment's colours
 
   // Light samples of this depth.
   RayArray shadow_rays;

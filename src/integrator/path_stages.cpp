@@ -1,5 +1,7 @@
 #include "integrator/path_stages.h"
 
+#include <limits>
+
 #include "core/conductor_bsdf.h"
 #include "core/glass_bsdf.h"
 #include "core/layered_bsdf.h"
@@ -20,7 +22,7 @@ PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& w
     : scene_(scene),
       sampler_(wavelengths),
       options_(options),
-      batch_(static_cast<std::size_t>(options.batch_size), scene.scene.emission_spectra.size()) {}
+      batch_(static_cast<std::size_t>(options.batch_size), scene) {}
 
 template <int N>
 void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
@@ -71,6 +73,7 @@ void PathTracer<N>::choose_wavelengths() {
     batch_.wavelengths[slot] = PathWavelengths<N>(wavelengths, observer);
     for (std::size_t k = 0; k < emissions.size(); ++k)
       batch_.emission_of(slot, static_cast<int>(k)) = sample_emission<N>(emissions[k], wavelengths);
+    if (!batch_.tints.empty()) batch_.tints[slot] = SampledTints<N>(batch_.wavelengths[slot].lambda);
   }
 }
 
@@ -94,11 +97,31 @@ void PathTracer<N>::intersect() {
   stats_.rays += batch_.active.size();
 }
 
+/// Light from the environment, where paths leave the scene.
+template <int N>
+void PathTracer<N>::escape() {
+  const Environment& environment = *scene_.scene.environment;
+  for (const std::uint32_t slot : batch_.active) {
+    if (batch_.hits[slot].shape != kNoHit) continue;
+    const Vec3f direction = batch_.rays.direction[slot], rgb = environment.radiance(direction);
+    SampledSpectrum<N> arriving = batch_.throughput[slot] * batch_.tints[slot](rgb.x, rgb.y, rgb.z) *
+                                  batch_.emission_of(slot, environment.emission_spectrum);
+    if (batch_.medium[slot] >= 0)
+      arriving *= scene_.surfaces[static_cast<std::size_t>(batch_.medium[slot])].transmittance(
+          batch_.wavelengths[slot].lambda, std::numeric_limits<float>::infinity());
+    if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
+      arriving *= power_heuristic(
+          pdf, scene_.lights.environment_pdf(batch_.vertex_of(slot), batch_.spectra_of(slot), direction));
+    batch_.radiance[slot] += arriving;
+  }
+}
+
 /// What happens on the way to the hit and at it, whatever the BSDF: absorption in glass, light from a lamp
 /// that was hit.
 template <int N>
 void PathTracer<N>::absorb_and_emit() {
   const Geometry& geometry = scene_.scene.geometry;
+  if (scene_.scene.environment) escape();
   std::erase_if(batch_.active, [&](std::uint32_t slot) { return batch_.hits[slot].shape == kNoHit; });
   for (const std::uint32_t slot : batch_.active) {
     const Hit& hit = batch_.hits[slot];
@@ -115,7 +138,8 @@ void PathTracer<N>::absorb_and_emit() {
     if (cos_light <= 0.0f && !surface.double_sided) continue;
     float weight = surface.emission_luminance;
     if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
-      weight *= power_heuristic(pdf, scene_.lights.pdf_area(material) * sqr(hit.t) / std::abs(cos_light));
+      weight *= power_heuristic(pdf, scene_.lights.pdf(batch_.vertex_of(slot), batch_.spectra_of(slot),
+                                                       hit.shape, hit.triangle, hit.t));
     SampledSpectrum<N> emitted = batch_.emission_of(slot, surface.emission_spectrum);
     if (surface.emission_varies)
       emitted *=
@@ -149,44 +173,64 @@ void PathTracer<N>::shade(std::span<const std::uint32_t> slots, int depth) {
   }
 }
 
-/// Next-event estimation: a point of a lamp, weighted against finding it by the BSDF.
+/// Where lights differ in spectrum: what those of each may add to this path.
+template <int N>
+void PathTracer<N>::weigh_spectra(std::uint32_t slot) {
+  const std::span<float> spectra = batch_.spectra_of(slot);
+  if (spectra.empty()) return;
+  const SampledSpectrum<N> importance = batch_.throughput[slot] * batch_.wavelengths[slot].importance();
+  for (std::size_t k = 0; k < spectra.size(); ++k)
+    spectra[k] = (importance * batch_.emission_of(slot, static_cast<int>(k))).sum();
+  scene_.lights.spectrum_probabilities(spectra);
+}
+
+/// What varies over a lamp, at the point that was chosen.
+template <int N>
+SampledSpectrum<N> PathTracer<N>::lamp_tint(std::uint32_t slot, const LightSample& light) const {
+  const Surface& lamp = scene_.surfaces[light.material];
+  if (!lamp.emission_varies && !lamp.partly_covers) return SampledSpectrum<N>(1.0f);
+  const TrianglePoint point = triangle_point_at(scene_.scene.geometry, light.triangle, light.end);
+  return ShadingMaterial<N>(lamp, batch_.wavelengths[slot].lambda, point).emission_tint() *
+         lamp.coverage(point);
+}
+
+/// Next-event estimation: a direction to a light, weighted against finding it by the BSDF.
 template <int N>
 template <typename Bsdf>
 void PathTracer<N>::sample_light(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex) {
   if (scene_.lights.empty()) return;
+  weigh_spectra(slot);
+  if (scene_.lights.uses_normals()) batch_.normal.set(slot, vertex.lit_side());
   const SampleStream& stream = batch_.stream[slot];
-  const LightSample light = scene_.lights.sample(stream.get_1d_fine(bounce_dimension(depth, kLightChoice)),
-                                                 stream.get_2d(bounce_dimension(depth, kLightPoint)));
-  const Surface& lamp = scene_.surfaces[light.material];
-
-  // Is the lamp's bright side seen from here?
-  const Vec3f to_light = light.point - vertex.point.position;
-  const float distance = length(to_light);
-  const Vec3f wi = to_light / distance;
-  const float cos_light = -dot(light.normal, wi);
-  if (cos_light == 0.0f || (cos_light < 0.0f && !lamp.double_sided)) return;
+  const std::optional<LightSample> light =
+      scene_.lights.sample({vertex.point.position, vertex.lit_side()}, batch_.spectra_of(slot),
+                           stream.get_1d_fine(bounce_dimension(depth, kLightChoice)),
+                           stream.get_2d(bounce_dimension(depth, kLightPoint)));
+  if (!light) return;
 
   // What would arrive?
+  const Vec3f wi = light->direction;
   const BsdfValue<N> value = vertex.evaluate(wi);
   if (value.pdf == 0.0f) return;
-  const float pdf = light.pdf_area * sqr(distance) / std::abs(cos_light);
+  const float mis = light->delta ? 1.0f : power_heuristic(light->pdf, value.pdf);
   SampledSpectrum<N> arriving = batch_.throughput[slot] * value.f_cos *
-                                batch_.emission_of(slot, lamp.emission_spectrum) *
-                                (lamp.emission_luminance * power_heuristic(pdf, value.pdf) / pdf);
-  if (lamp.emission_varies || lamp.partly_covers) {
-    const TrianglePoint point(scene_.scene.geometry, light.triangle, light.uv.x, light.uv.y);
-    arriving *= ShadingMaterial<N>(lamp, batch_.wavelengths[slot].lambda, point).emission_tint() *
-                lamp.coverage(point);
+                                batch_.emission_of(slot, light->spectrum) *
+                                (light->radiance * mis / light->pdf);
+  if (light->environment) {
+    const Vec3f rgb = scene_.scene.environment->radiance(wi);
+    arriving *= batch_.tints[slot](rgb.x, rgb.y, rgb.z);
   }
+  if (light->material != kNoMaterial) arriving *= lamp_tint(slot, *light);
   if (arriving.is_black()) return;
   if (const int medium = vertex.medium_towards(wi, batch_.medium[slot]); medium >= 0)
     arriving *= scene_.surfaces[static_cast<std::size_t>(medium)].transmittance(
-        batch_.wavelengths[slot].lambda, distance);
+        batch_.wavelengths[slot].lambda, light->distance);
 
+  const bool unbounded = std::isinf(light->distance);
   const Vec3f origin = vertex.point.leave(wi);
   batch_.shadow_rays.origin.set(slot, origin);
-  batch_.shadow_rays.direction.set(slot, light.leave(-wi) - origin);
-  batch_.shadow_rays.t_max[slot] = 1.0f;
+  batch_.shadow_rays.direction.set(slot, unbounded ? wi : light->end - origin);
+  batch_.shadow_rays.t_max[slot] = unbounded ? light->distance : 1.0f;
   batch_.shadow_radiance[slot] = arriving;
   batch_.shadowed.push_back(slot);
 }

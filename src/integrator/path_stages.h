@@ -24,10 +24,13 @@ class PathTracer {
   void choose_wavelengths();
   void leave_camera();
   void intersect();
+  void escape();
   void absorb_and_emit();
   void sort_by_bsdf(int depth);
   template <typename Bsdf>
   void shade(std::span<const std::uint32_t> slots, int depth);
+  void weigh_spectra(std::uint32_t slot);
+  SampledSpectrum<N> lamp_tint(std::uint32_t slot, const LightSample& light) const;
   template <typename Bsdf>
   void sample_light(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex);
   template <typename Bsdf>

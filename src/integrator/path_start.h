@@ -16,7 +16,7 @@ struct PathKey {
 };
 
 /// Which number of the sample stream drives what. Each entry is a dimension of its own: one number or a pair.
-enum Dimension : std::uint32_t { kFilm, kWavelength, kFirstBounce };
+enum Dimension : std::uint32_t { kFilm, kWavelength, kLens, kFirstBounce };
 enum BounceDimension : std::uint32_t {
   kBsdfChoice,
   kLightChoice,
@@ -49,6 +49,11 @@ struct PathWavelengths {
     }
   }
 
+  /// How much radiance counts at each wavelength, X, Y and Z alike.
+  SampledSpectrum<N> importance() const {
+    return xyz_per_radiance[0] + xyz_per_radiance[1] + xyz_per_radiance[2];
+  }
+
   /// The balance-heuristic estimate of XYZ: Σ_j h(λ_j)·L(λ_j) / S(λ_j).
   Xyz to_xyz(SampledSpectrum<N> radiance) const {
     return {(xyz_per_radiance[0] * radiance).sum(), (xyz_per_radiance[1] * radiance).sum(),
@@ -67,7 +72,8 @@ SampledSpectrum<N> sample_emission(const TabulatedSpectrum& emission, const Samp
 inline Ray camera_ray(const Camera& camera, std::uint32_t pixel, const SampleStream& stream) {
   const auto width = static_cast<std::uint32_t>(camera.width);
   const Sample2d u = stream.get_2d(kFilm);
-  return camera.ray(static_cast<float>(pixel % width) + u.x, static_cast<float>(pixel / width) + u.y);
+  const float x = static_cast<float>(pixel % width) + u.x, y = static_cast<float>(pixel / width) + u.y;
+  return camera.has_lens() ? camera.ray(x, y, stream.get_2d(kLens)) : camera.ray(x, y);
 }
 
 /// The u in [0, 1) that all wavelengths of a path come from.

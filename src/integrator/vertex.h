@@ -30,7 +30,7 @@ struct Vertex {
 
   Frame make_frame(const Geometry& geometry, const Hit& hit, Vec3f wo_world) const {
     const Frame any = shading_frame(point, wo_world, Bsdf::kTwoSided);
-    if constexpr (requires { Bsdf::kHasGrain; })
+    if constexpr (requires { Bsdf::kLayered; })
       if (surface.extensions->anisotropy > 0.0f) return grain_frame(geometry, hit, point, any);
     return any;
   }
@@ -61,6 +61,13 @@ struct Vertex {
   /// leak through the surface: Veach 1997, section 5.3.
   bool sides_agree(Vec3f wi, float cos_theta) const {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
+  }
+
+  /// The side that light counts from, for choosing lights: the normal's, or (zero) both.
+  Vec3f lit_side() const {
+    if constexpr (requires { Bsdf::kLayered; })
+      if (surface.extensions->diffuse_transmission > 0.0f) return {};
+    return Bsdf::kTwoSided ? frame.n : Vec3f{};
   }
 
   /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -41,16 +42,22 @@ struct Watched {
   const DescentLimits& limits;
   nlopt_opt solver;
   Descent& descent;
+  std::clock_t begin = std::clock();
   bool stopped = false;
   std::exception_ptr thrown = {};
 
   double operator()(std::span<const double> v, std::span<double> gradient) {
-    if (limits.stop && limits.stop->load(std::memory_order_relaxed)) return end();
+    if (must_end()) return end();
     ++descent.evaluations;
     const double value = function(v, gradient);
     if (!std::isfinite(value)) return HUGE_VAL;
     if (value < descent.value) descent.value = value, descent.v.assign(v.begin(), v.end());
     return value;
+  }
+  bool must_end() const {
+    if (limits.stop && limits.stop->load(std::memory_order_relaxed)) return true;
+    return limits.seconds > 0.0 &&
+           static_cast<double>(std::clock() - begin) > limits.seconds * CLOCKS_PER_SEC;
   }
   double end() {
     stopped = true;
@@ -84,7 +91,6 @@ Descent descend(const Differentiable& function, std::vector<double> v, const Des
   nlopt_set_lower_bounds1(solver.get(), kLowestUnknown);
   nlopt_set_upper_bounds1(solver.get(), kHighestUnknown);
   nlopt_set_maxeval(solver.get(), limits.evaluations);
-  nlopt_set_maxtime(solver.get(), limits.seconds);
   nlopt_set_vector_storage(solver.get(), kMemory);
   nlopt_set_ftol_rel(solver.get(), limits.tolerance);
 

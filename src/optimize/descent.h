@@ -20,7 +20,7 @@ enum class Algorithm { lbfgs, mma, ccsaq, slsqp, var2, tnewton, sbplx };
 struct DescentLimits {
   int evaluations;         ///< at most
   double tolerance = 0.0;  ///< relative change of the value at which it ends; 0: never
-  double seconds = 0.0;    ///< of wall clock; 0: no clock, as every result that is to be repeated wants it
+  double seconds = 0.0;    ///< of the process's processor time; 0: no clock, as repeatable results want it
   Algorithm algorithm = Algorithm::lbfgs;
   const std::atomic<bool>* stop = nullptr;  ///< once true, it ends before the next evaluation
 };

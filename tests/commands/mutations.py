@@ -179,7 +179,7 @@ def binary_mutations(document):
     yield "zeros", with_bytes(bytes(len(binary)))
     yield "ones", with_bytes(b"\xff" * len(binary))
     yield "infinities", with_bytes((struct.pack("<f", float("inf")) * len(binary))[: len(binary)])
-    for i in range(0, len(binary), 4):
+    for i in range(0, len(binary), max(4, len(binary) // 400 * 4)):
         for word in (b"\xff\xff\xff\xff", b"\x00\x00\x80\x7f", b"\xff\xff\x7f\x7f"):
             yield f"word {i} {word.hex()}", with_bytes(bytes(binary[:i]) + word + bytes(binary[i + 4 :]))
 

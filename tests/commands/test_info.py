@@ -36,8 +36,9 @@ class Info(CommandTest):
         self.assertTrue(camera["used"])
         self.assertEqual(camera["resolution"], [32, 32])
         self.assertEqual(json_["warnings"], [])
-        for word in ["floor", "cie:D65", "6504 K", "32x32", "triangles"]:
+        for word in ["floor", "cie:D65", "32x32", "triangles"]:
             self.assertIn(word, text)
+        self.assertRegex(text, "650[345] K")
 
     def test_options_as_render_has_them(self):
         text, json_ = self.info(self.scene, "--emitter", "lamp=blackbody:2700", "--resolution", "20x10")

@@ -1,14 +1,17 @@
 """Malformed scenes: refused in one line or loaded, never a crash, a hang or much memory.
 
-Run as a script with arguments, it tries all mutations of the files given (else of the fixture), which takes minutes:
-    PHOTOPIC_BINARY=build/release/src/photopic tests/commands/test_malformed.py --all [FILE.gltf|.glb…]"""
+As a script it takes files of its own (else the fixture), --all to try all their mutations, which takes an hour, or
+--write FOLDER to leave them there, which gltf_replay reads in seconds:
+    PHOTOPIC_BINARY=build/release/src/photopic tests/commands/test_malformed.py --all [FILE.gltf|.glb…]
+    PHOTOPIC_BINARY= tests/commands/test_malformed.py --write DIR [FILE…]; build/release/tests/fuzz/gltf_replay DIR"""
 
+import base64
 import concurrent.futures
 import json
 import os
 import pathlib
 import re
-import resource
+import struct
 import subprocess
 import sys
 import tempfile
@@ -22,7 +25,8 @@ FIXTURE = pathlib.Path(__file__).parent.parent / "gltf" / "all_features.gltf"
 SHARED = pathlib.Path(os.environ.get("PHOTOPIC_SHARED", "/nonexistent"), "gltf")
 SECONDS = 1.0  # of processor time
 MEGABYTES = 200
-ODD_BUT_VALID = {"geo_degenerate_all", "node_chain_50000", "node_scale_zero", "mat_bad_values"}
+ODD_BUT_VALID = {"geo_degenerate_all", "node_chain_50000", "node_scale_zero"}
+EITHER = {"mat_bad_values"}
 
 # What wait4 measures would be this process's and its earlier children's without a process between.
 MEASURE = """
@@ -86,7 +90,8 @@ def try_file(name, data, folder):
 
 def try_all(mutations):
     """@return (files tried, refused, faults)"""
-    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
+    workers = os.cpu_count()
+    with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(workers) as pool:
         jobs = [pool.submit(try_file, name, data, pathlib.Path(folder, str(i))) for i, (name, data) in enumerate(mutations)]
         results = [job.result() for job in jobs]
     faults = [fault for _, found in results for fault in found]
@@ -102,7 +107,7 @@ class Malformed(unittest.TestCase):
     def test_a_sample_of_all_mutations(self):
         document = json.loads(FIXTURE.read_text())
         mutations = list(all_mutations(document))
-        sample = mutations[:: len(mutations) // 150]
+        sample = mutations[:: len(mutations) // 100]
         tried, refused = self.assert_no_faults(sample)
         self.assertGreater(refused, tried // 3)
 
@@ -142,36 +147,47 @@ class Malformed(unittest.TestCase):
             outcome = Outcome(["info", path])
             good = path.parent.name != "bad" or path.stem in ODD_BUT_VALID
             with self.subTest(path.name):
-                self.assertEqual(outcome.code, 0 if good else 1, outcome.stderr)
+                if path.stem not in EITHER:
+                    self.assertEqual(outcome.code, 0 if good else 1, outcome.stderr)
                 self.assertLess(outcome.seconds, SECONDS)
                 self.assertLess(outcome.megabytes, MEGABYTES)
-                if not good:
+                if outcome.code == 1:
                     self.assertEqual(len(outcome.stderr.splitlines()), 1, outcome.stderr)
                     self.assertIn(path.name, outcome.stderr)
 
 
-def documents(names):
-    for name in names:
-        data = pathlib.Path(name).read_bytes()
-        if data[:4] == b"glTF":
-            import base64
-            import struct
+def document_of(path):
+    """A valid file as JSON with its buffers inside."""
+    data = path.read_bytes()
+    binary = b""
+    if data[:4] == b"glTF":
+        size = struct.unpack_from("<I", data, 12)[0]
+        data, binary = data[20 : 20 + size], data[28 + size :]
+    document = json.loads(data)
+    for buffer in document["buffers"]:
+        if not buffer.get("uri", "").startswith("data:"):
+            held = (path.parent / buffer["uri"]).read_bytes() if "uri" in buffer else binary
+            buffer["uri"] = "data:;base64," + base64.b64encode(held).decode()
+    return document
 
-            size = struct.unpack_from("<I", data, 12)[0]
-            document = json.loads(data[20 : 20 + size])
-            binary = base64.b64encode(data[28 + size :]).decode()
-            document["buffers"][0]["uri"] = "data:;base64," + binary
-        else:
-            document = json.loads(data)
-        yield name, document
+
+def main(mode, names):
+    """--all: tries every mutation of the files. --write FOLDER: leaves them there, for build/*/tests/fuzz/gltf_replay."""
+    folder = pathlib.Path(names.pop(0)) if mode == "--write" else None
+    bad = 0
+    for path in map(pathlib.Path, names or [FIXTURE]):
+        mutations = all_mutations(document_of(path))
+        if folder:
+            for i, (_, data) in enumerate(mutations):
+                (folder / f"{path.stem}-{i:05d}").write_bytes(data)
+            continue
+        tried, refused, faults = try_all(mutations)
+        print(f"{path}: {tried} files, {refused} refused, {len(faults)} faults", *faults, sep="\n  ", flush=True)
+        bad += len(faults)
+    return bad > 0
 
 
 if __name__ == "__main__":
-    if sys.argv[1:2] != ["--all"]:
-        unittest.main()
-    bad = 0
-    for file, valid in documents(sys.argv[2:] or [FIXTURE]):
-        tried, refused, faults = try_all(all_mutations(valid))
-        print(f"{file}: {tried} files, {refused} refused, {len(faults)} faults", *faults, sep="\n  ", flush=True)
-        bad += len(faults)
-    sys.exit(bad > 0)
+    if sys.argv[1:2] in (["--all"], ["--write"]):
+        sys.exit(main(sys.argv[1], sys.argv[2:]))
+    unittest.main()

@@ -174,11 +174,22 @@ class Refused(CommandTest):
         self.assert_refused(["optimize", "negative.csv", "-o", "d.json"], "negative.csv")
         self.assertFalse((self.folder / "d.json").exists())
 
-    def test_a_scene_without_light_is_refused(self):
+    def test_a_scene_without_light_gets_a_sky(self):
         dark = write_tiny_scene(self.folder / "dark.gltf", emission=None)
-        for sampler in ["uniform", "illuminant", "optimized"]:
-            self.assert_refused(["render", dark, "-o", "out.exr", "--sampler", sampler], "dark.gltf", "light")
-        self.assert_refused(["compare", dark], "dark.gltf", "light")
+        result = self.photopic("render", dark, "-o", "out.exr", "--sampler", "illuminant", "--spp", "1", "--quiet")
+        self.assertIn("nothing in", result.stderr)
+        self.assertIn("lit by an overcast sky", result.stderr)
+        self.photopic("render", dark, "-o", "sky.hdr", "--sampler", "uniform", "--spp", "1", "--quiet")
+        lit = self.photopic("render", dark, "-o", "lit.exr", "--sampler", "uniform", "--spp", "1", "--quiet",
+                            "--environment", "sky.hdr", "--environment-rotation", "90", "--environment-strength", "2")  # fmt: skip
+        self.assertNotIn("sky", lit.stderr)
+
+    def test_environments_and_factors_must_make_sense(self):
+        self.assert_refused(self.render("--environment", "missing.exr"), "missing.exr")
+        self.assert_refused(self.render("--environment", "broken.csv"), "broken.csv")
+        self.assert_refused(self.render("--environment-strength", "2"), "--environment")
+        self.assert_refused(self.render("--punctual-scale", "0"), "above 0")
+        self.assert_refused(self.render("--environment", "out.exr"), "out.exr")
 
     def test_distribution_must_fit(self):
         self.photopic("optimize", "cie:A", "-o", "a.json", "--effort", "quick", "--quiet")

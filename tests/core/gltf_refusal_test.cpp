@@ -122,6 +122,7 @@ TEST_F(GltfTest, WhatIsNoGltfIsRefused) {
 TEST_F(GltfTest, DeepNestingIsRefusedBeforeParsing) {
   const std::string text = refusal(R"({"asset": {"version": "2.0", "extras": )" + std::string(200'000, '[') +
                                    std::string(200'000, ']') + "}}");
+  EXPECT_NE(text.find("#/asset/extras/0/0"), std::string::npos) << text;
   EXPECT_NE(text.find("nested"), std::string::npos) << text;
 }
 

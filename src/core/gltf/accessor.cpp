@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -97,26 +98,58 @@ void for_each_element(const GltfDocument& document, int index, const Store& stor
   }
 }
 
+template <typename T>
+struct ElementType;
+template <>
+struct ElementType<Vec2f> {
+  static constexpr int kType = TINYGLTF_TYPE_VEC2;
+  static constexpr const char* kName = "VEC2";
+};
+template <>
+struct ElementType<Vec3f> {
+  static constexpr int kType = TINYGLTF_TYPE_VEC3;
+  static constexpr const char* kName = "VEC3";
+};
+template <>
+struct ElementType<Vec4f> {
+  static constexpr int kType = TINYGLTF_TYPE_VEC4;
+  static constexpr const char* kName = "VEC4";
+};
+template <>
+struct ElementType<Mat4f> {
+  static constexpr int kType = TINYGLTF_TYPE_MAT4;
+  static constexpr const char* kName = "MAT4";
+};
+
 }  // namespace
 
-std::vector<Vec3f> read_vec3(const GltfDocument& document, int index) {
+template <typename T>
+std::vector<T> read_elements(const GltfDocument& document, int index) {
+  using Type = ElementType<T>;
+  constexpr std::size_t kCount = sizeof(T) / sizeof(float);
   const tinygltf::Accessor& accessor = document.model.accessors[index];
   const std::string pointer = fmt::format("/accessors/{}", index);
   const int type = accessor.componentType;
-  if (accessor.type != TINYGLTF_TYPE_VEC3 || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
-    document.fail(pointer, "positions and normals must be VEC3 of floats, bytes or shorts");
-  }
+  if (accessor.type != Type::kType || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
+    document.fail(pointer, fmt::format("this must be {} of floats, bytes or shorts", Type::kName));
   const auto size = static_cast<std::size_t>(tinygltf::GetComponentSizeInBytes(type));
-  std::vector<Vec3f> elements(accessor.count);
+  std::vector<T> elements(accessor.count);
   for_each_element(document, index, [&](std::size_t i, const std::byte* bytes) {
-    const auto component = [&](std::size_t c) {
-      return read_component(bytes + c * size, type, accessor.normalized);
-    };
-    elements[i] = {component(0), component(1), component(2)};
-    if (!is_finite(elements[i])) document.fail(pointer, fmt::format("element {} is not finite", i));
+    std::array<float, kCount> components;
+    bool finite = true;
+    for (std::size_t c = 0; c < kCount; ++c) {
+      components[c] = read_component(bytes + c * size, type, accessor.normalized);
+      finite = finite && std::isfinite(components[c]);
+    }
+    if (!finite) document.fail(pointer, fmt::format("element {} is not finite", i));
+    elements[i] = std::bit_cast<T>(components);
   });
   return elements;
 }
+template std::vector<Vec2f> read_elements<Vec2f>(const GltfDocument&, int);
+template std::vector<Vec3f> read_elements<Vec3f>(const GltfDocument&, int);
+template std::vector<Vec4f> read_elements<Vec4f>(const GltfDocument&, int);
+template std::vector<Mat4f> read_elements<Mat4f>(const GltfDocument&, int);
 
 std::vector<std::uint32_t> read_indices(const GltfDocument& document, int index) {
   const tinygltf::Accessor& accessor = document.model.accessors[index];

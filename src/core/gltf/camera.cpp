@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <optional>
 
+#include "core/framing.h"
 #include "error.h"
 
 namespace photopic {
@@ -14,48 +16,88 @@ constexpr double kMaxPixels = 1 << 28;
 constexpr int kDefaultWidth = 640;
 constexpr double kDefaultAspect = 4.0 / 3.0;
 
-std::optional<NodeInstance> choose_camera(const GltfDocument& document,
-                                          const std::vector<NodeInstance>& instances, const std::string& name,
-                                          std::vector<std::string>& warnings) {
+/// @return the number that is all of `text`, or −1
+int parse_index(const std::string& text) {
+  int index = -1;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, index);
+  return error == std::errc() && rest == end ? index : -1;
+}
+
+/// The scene's camera of that name (its own or its node's), else of that index in the file's list; the first
+/// of all for an empty name.
+const NodeInstance* choose_camera(const GltfDocument& document, const std::vector<NodeInstance>& instances,
+                                  const std::string& name) {
   const auto& model = document.model;
+  const int wanted = parse_index(name);
+  const NodeInstance* by_index = nullptr;
   std::string names;
-  bool orthographic = false;
   for (const NodeInstance& instance : instances) {
     const tinygltf::Node& node = model.nodes[instance.node];
     if (node.camera < 0) continue;
-    const tinygltf::Camera& camera = model.cameras[node.camera];
-    const bool named = name.empty() || camera.name == name || node.name == name;
-    if (camera.type == "perspective" && named) return instance;
-    orthographic |= camera.type != "perspective";
-    if (camera.type == "perspective")
-      names += (names.empty() ? "\"" : ", \"") + (camera.name.empty() ? node.name : camera.name) + "\"";
+    const std::string& own = model.cameras[node.camera].name;
+    if (name.empty() || own == name || node.name == name) return &instance;
+    if (node.camera == wanted && !by_index) by_index = &instance;
+    const std::string& shown = own.empty() ? node.name : own;
+    names += (names.empty() ? "" : ", ") +
+             (shown.empty() ? fmt::format("{}", node.camera) : fmt::format("\"{}\"", shown));
   }
-  if (!name.empty()) {
-    throw InputError("--camera " + name,
-                     fmt::format("{} has no perspective camera of that name", document.file.path.string()),
-                     names.empty() ? "add one" : "choose one of " + names);
-  }
-  if (orthographic) warnings.emplace_back("orthographic cameras are not supported");
-  return std::nullopt;
+  if (name.empty() || by_index) return by_index;
+  throw InputError("--camera " + name,
+                   fmt::format("{} has no camera of that name or index", document.file.path.string()),
+                   names.empty() ? "add one, or leave the option out" : "choose one of " + names);
 }
 
-/// `extras.resolution`, a list of two whole numbers.
-void read_resolution(const GltfDocument& document, int index, Camera& camera) {
-  const tinygltf::Camera& source = document.model.cameras[index];
-  if (!source.extras.IsObject() || !source.extras.Has("resolution")) return;
-  const tinygltf::Value& list = source.extras.Get("resolution");
-  const auto component = [&](int i) {
-    const bool good = list.IsArray() && list.ArrayLen() == 2 && list.Get(i).IsNumber();
-    const double value = good ? list.Get(i).GetNumberAsDouble() : 0.0;
-    if (!(value >= 1 && value <= 65536 && value == std::floor(value))) {
-      document.fail(fmt::format("/cameras/{}/extras/resolution", index),
-                    "this is no pair of whole numbers from 1 to 65536", "write [width, height] in pixels");
-    }
-    return static_cast<int>(value);
-  };
-  camera.width = component(0);
-  camera.height = component(1);
-}
+/// A camera's `extras`, which glTF leaves to its users.
+class CameraExtras {
+ public:
+  CameraExtras(const GltfDocument& document, int camera)
+      : document_(document), camera_(camera), extras_(document.model.cameras[camera].extras) {}
+
+  bool has(const char* key) const { return extras_.IsObject() && extras_.Has(key); }
+
+  /// A length [m], 0 when there is none.
+  float length(const char* key) const {
+    if (!has(key)) return 0.0f;
+    const tinygltf::Value& value = extras_.Get(key);
+    const double number = value.IsNumber() ? value.GetNumberAsDouble() : -1.0;
+    if (!(number >= 0 && number <= 1e15)) fail(key, "this is no length", "write a number of metres");
+    return static_cast<float>(number);
+  }
+
+  /// `resolution`, a list of two whole numbers.
+  void read_resolution(Camera& camera) const {
+    if (!has("resolution")) return;
+    const tinygltf::Value& list = extras_.Get("resolution");
+    const auto component = [&](int i) {
+      const bool good = list.IsArray() && list.ArrayLen() == 2 && list.Get(i).IsNumber();
+      const double value = good ? list.Get(i).GetNumberAsDouble() : 0.0;
+      if (!(value >= 1 && value <= 65536 && value == std::floor(value)))
+        fail("resolution", "this is no pair of whole numbers from 1 to 65536",
+             "write [width, height] in pixels");
+      return static_cast<int>(value);
+    };
+    camera.width = component(0);
+    camera.height = component(1);
+  }
+
+  void read_lens(Camera& camera) const {
+    camera.aperture_radius = length("aperture_radius");
+    camera.focus_distance = length("focus_distance");
+    if (camera.has_lens() && !(camera.focus_distance > 0.0f))
+      fail("aperture_radius", "an aperture needs a distance that is in focus",
+           "add \"focus_distance\" in metres");
+  }
+
+ private:
+  [[noreturn]] void fail(const char* key, const std::string& problem, const std::string& remedy) const {
+    document_.fail(fmt::format("/cameras/{}/extras/{}", camera_, key), problem, remedy);
+  }
+
+  const GltfDocument& document_;
+  int camera_;
+  const tinygltf::Value& extras_;
+};
 
 /// Right-handed and orthonormal whatever the node's scale: only the view and up directions count.
 void place(const GltfDocument& document, const NodeInstance& instance, Vec3d origin, Camera& camera) {
@@ -72,36 +114,63 @@ void place(const GltfDocument& document, const NodeInstance& instance, Vec3d ori
   camera.up = to_float(cross(back, unit_right));
 }
 
-}  // namespace
-
-void load_gltf_camera(const GltfDocument& document, const std::vector<NodeInstance>& instances,
-                      const GltfOptions& options, Scene& scene) {
-  const auto instance = choose_camera(document, instances, options.camera, scene.warnings);
-  if (!instance) return;
-  const int index = document.model.nodes[instance->node].camera;
-  const tinygltf::PerspectiveCamera& source = document.model.cameras[index].perspective;
-
-  Camera camera;
-  camera.tan_half_yfov = static_cast<float>(std::tan(0.5 * source.yfov));
-  place(document, *instance, scene.origin, camera);
-  read_resolution(document, index, camera);
-  if (camera.width == 0) {
-    const double aspect = source.aspectRatio > 0 ? source.aspectRatio : kDefaultAspect;
-    camera.width = kDefaultWidth;
-    camera.height = std::max(1, static_cast<int>(std::lround(kDefaultWidth / aspect)));
+/// Sets the lens; @return width / height as the file has it. Of an orthographic camera's magnifications the
+/// sign turns nothing: the specification advises against negative ones.
+double read_projection(const GltfDocument& document, int index, Camera& camera) {
+  const tinygltf::Camera& source = document.model.cameras[index];
+  if (source.type == "perspective") {
+    camera.tan_half_yfov = static_cast<float>(std::tan(0.5 * source.perspective.yfov));
+    return source.perspective.aspectRatio > 0 ? source.perspective.aspectRatio : kDefaultAspect;
   }
+  const double x = std::abs(source.orthographic.xmag), y = std::abs(source.orthographic.ymag);
+  const auto check = [&](double magnification, const char* key) {
+    if (!(magnification >= 1e-15 && magnification <= 1e15))
+      document.fail(fmt::format("/cameras/{}/orthographic/{}", index, key),
+                    fmt::format("{} m is no half width or height of a view", magnification));
+  };
+  check(x, "xmag"), check(y, "ymag");
+  camera.half_height = static_cast<float>(y);
+  return x / y;
+}
+
+/// The options' resolution, else the camera's own, else the default width by its aspect.
+void set_resolution(const GltfDocument& document, double aspect, const GltfOptions& options, Camera& camera) {
   if (options.width > 0 && options.height > 0) {
     camera.width = options.width;
     camera.height = options.height;
+  } else if (camera.width == 0) {
+    camera.width = kDefaultWidth;
+    camera.height = static_cast<int>(std::lround(std::clamp(kDefaultWidth / aspect, 1.0, 65536.0)));
   }
   if (static_cast<double>(camera.width) * camera.height > kMaxPixels) {
     throw InputError(document.file.path.string(),
                      fmt::format("a picture of {} x {} pixels is too large", camera.width, camera.height),
                      "choose a smaller --resolution");
   }
-  scene.camera = camera;
-  const std::string& name = document.model.cameras[index].name;
-  scene.camera_name = name.empty() ? document.model.nodes[instance->node].name : name;
+}
+
+}  // namespace
+
+void load_gltf_camera(const GltfDocument& document, const std::vector<NodeInstance>& instances,
+                      const GltfOptions& options, Scene& scene) {
+  scene.camera = Camera{};
+  if (const NodeInstance* instance = choose_camera(document, instances, options.camera)) {
+    const int index = document.model.nodes[instance->node].camera;
+    const CameraExtras extras(document, index);
+    const double aspect = read_projection(document, index, scene.camera);
+    place(document, *instance, scene.origin, scene.camera);
+    extras.read_lens(scene.camera);
+    extras.read_resolution(scene.camera);
+    set_resolution(document, aspect, options, scene.camera);
+    const std::string& name = document.model.cameras[index].name;
+    scene.camera_name = name.empty() ? document.model.nodes[instance->node].name : name;
+    return;
+  }
+  set_resolution(document, kDefaultAspect, options, scene.camera);
+  frame(bounding_sphere(scene.geometry), scene.camera);
+  scene.camera_name = "framing the whole scene";
+  scene.warnings.push_back(
+      fmt::format("no camera in {}: framing the whole scene", document.file.path.string()));
 }
 
 }  // namespace photopic

@@ -7,9 +7,11 @@
 
 namespace photopic {
 
-/// Sets scene.camera from the perspective camera that the options name, else the scene's first; its width
-/// stays 0 where there is none. scene.origin must be known.
-/// @throws InputError when a camera of that name is missing, or its place is degenerate
+/// Sets scene.camera from the camera that the options name, else from the scene's first; where there is none,
+/// one that frames the whole scene, with a warning. `extras` of a glTF camera may give "resolution"
+/// ([width, height] in pixels), "aperture_radius" and "focus_distance" (thin lens [m], not scaled by nodes).
+/// scene.geometry and scene.origin must be known.
+/// @throws InputError when a camera of that name is missing, its place is degenerate or its extras are wrong
 void load_gltf_camera(const GltfDocument& document, const std::vector<NodeInstance>& instances,
                       const GltfOptions& options, Scene& scene);
 

@@ -16,19 +16,6 @@ namespace {
 
 using namespace gltf_rules;
 
-std::string token(std::string_view key) {
-  std::string escaped = "/";
-  for (const char c : key.substr(0, 60)) {
-    if (c == '~')
-      escaped += "~0";
-    else if (c == '/')
-      escaped += "~1";
-    else
-      escaped += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
-  }
-  return escaped;
-}
-
 /// How many elements the list has that indices point into.
 std::size_t list_size(const Json& document, std::string_view path) {
   const Json* list = &document;
@@ -161,9 +148,22 @@ void check_extensions(const Place& root) {
 
 }  // namespace
 
+std::string pointer_token(std::string_view key) {
+  std::string escaped = "/";
+  for (const char c : key.substr(0, 60)) {
+    if (c == '~')
+      escaped += "~0";
+    else if (c == '/')
+      escaped += "~1";
+    else
+      escaped += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  }
+  return escaped;
+}
+
 std::string Place::pointer() const {
   if (!parent_) return {};
-  return parent_->pointer() + (parent_->value.is_array() ? fmt::format("/{}", index_) : token(key_));
+  return parent_->pointer() + (parent_->value.is_array() ? fmt::format("/{}", index_) : pointer_token(key_));
 }
 
 void Place::fail(const std::string& problem, const std::string& remedy) const {

@@ -5,58 +5,15 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "core/gltf/checks.h"
+#include "core/gltf/json_reader.h"
 #include "error.h"
 
 namespace photopic {
 namespace {
 
 using Json = nlohmann::json;
-
-/// The parser's message without its own tag, "[json.exception…] ", cut to a bearable length.
-std::string parser_message(const std::string& text) {
-  const std::size_t tag = text.find("] ");
-  std::string message = without_controls(text.substr(tag == std::string::npos ? 0 : tag + 2, 300));
-  while (message.ends_with(' ')) message.pop_back();
-  return message;
-}
-
-/// Keys are unique in glTF (section 2.7): of two alike the parser would keep one without a word.
-class UniqueKeys {
- public:
-  explicit UniqueKeys(const GltfFile& file) : file_(file) {}
-
-  /// nlohmann-json's parser callback
-  bool operator()(int depth, Json::parse_event_t event, const Json& parsed) {
-    const auto level = static_cast<std::size_t>(depth);
-    if (event == Json::parse_event_t::object_start) {
-      keys_.resize(std::max(keys_.size(), level + 2));
-      keys_[level + 1].clear();
-    }
-    if (event == Json::parse_event_t::key && !keys_[level].insert(parsed.get<std::string>()).second)
-      throw InputError(file_.path.string(),
-                       fmt::format("the key \"{}\" stands twice in one object",
-                                   without_controls(parsed.get<std::string>().substr(0, 60))),
-                       "take one of them out");
-    return true;
-  }
-
- private:
-  const GltfFile& file_;
-  std::vector<std::set<std::string>> keys_;  ///< of the objects that are open, by their depth
-};
-
-Json parse_json(const GltfFile& file) {
-  try {
-    UniqueKeys unique(file);
-    return Json::parse(file.json, std::ref(unique));
-  } catch (const Json::exception& error) {
-    throw InputError(file.path.string(), "the JSON cannot be parsed: " + parser_message(error.what()),
-                     "correct it or export the file again");
-  }
-}
 
 void load_buffers(GltfDocument& document, const Json& json) {
   if (!json.contains("buffers")) return;
@@ -120,7 +77,7 @@ std::vector<std::filesystem::path> named_files(const GltfDocument& document, con
 /// ignores, and refuses indices without a bufferView, which are valid when sparse: an extra, last view stands
 /// for "none" (the accessors' reader knows).
 std::string text_for_tinygltf(Json& json) {
-  for (const char* unused : {"buffers", "images", "animations", "skins"}) json.erase(unused);
+  for (const char* unused : {"buffers", "images", "animations"}) json.erase(unused);
   if (json.contains("cameras")) {
     for (Json& camera : json["cameras"]) {
       if (camera.contains("perspective")) camera["perspective"].emplace("znear", 0.01);
@@ -144,14 +101,18 @@ void GltfDocument::fail(const std::string& pointer, const std::string& problem,
 GltfDocument read_gltf_document(std::vector<char> bytes, const std::filesystem::path& path) {
   GltfDocument document;
   document.file = split_gltf(std::move(bytes), path);
-  Json json = parse_json(document.file);
+  Json json = parse_gltf_json(document.file);
   check_gltf(json, path);
   load_buffers(document, json);
   document.images = list_images(json);
   document.named_files = named_files(document, json);
   if (json.contains("animations")) document.animation_count = json.at("animations").size();
+  document.file.json = {};
+  if (document.file.bin.empty())
+    document.file.bytes = {};  // text alone, which may hold all buffers in base64
 
   const std::string text = text_for_tinygltf(json);
+  json = nullptr;
   tinygltf::TinyGLTF parser;
   std::string error, warning;
   bool parsed = false;

@@ -1,6 +1,7 @@
 #include "core/gltf/emission.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -76,102 +77,91 @@ const EmitterOverride* find_override(const std::vector<EmitterOverride>& overrid
 }
 
 /// What an override or `extras` say.
-std::optional<NamedEmission> given_emission(const GltfDocument& document, std::size_t index,
+std::optional<NamedEmission> given_emission(const GltfDocument& document, const GltfEmitter& emitter,
                                             const std::vector<EmitterOverride>& overrides) {
-  const tinygltf::Material& material = document.model.materials[index];
-  if (is_unlit(material)) return std::nullopt;
-  if (const EmitterOverride* given = find_override(overrides, material.name)) {
+  if (!emitter.is_lamp) return std::nullopt;
+  if (const EmitterOverride* given = find_override(overrides, emitter.name)) {
     return NamedEmission{
         unit_luminance(parse_spectrum(given->text, {}, Beyond::zero), "--emitter " + given->text),
         given->text};
   }
-  if (const auto given = extras_spectrum(document, index, "emission_spectrum", Beyond::zero)) {
-    const std::string where =
-        fmt::format("{}#/materials/{}/extras/emission_spectrum", document.file.path.string(), index);
-    return NamedEmission{unit_luminance(given->spectrum, where), given->name};
-  }
-  return std::nullopt;
+  if (!emitter.extras) return std::nullopt;
+  const std::string owner = fmt::format("of {} {}", emitter.kind, emitter.name);
+  const auto given =
+      extras_spectrum(document, *emitter.extras, emitter.pointer, owner, "emission_spectrum", Beyond::zero);
+  if (!given) return std::nullopt;
+  const std::string where = document.file.path.string() + "#" + emitter.pointer + "/extras/emission_spectrum";
+  return NamedEmission{unit_luminance(given->spectrum, where), given->name};
 }
 
 /// Where a texture tints the emission, the material's colour does so with it, on white.
-NamedEmission set_emission(const GltfDocument& document, std::size_t index,
-                           const std::vector<EmitterOverride>& overrides, Material& material) {
-  const tinygltf::Material& source = document.model.materials[index];
+void set_emission(const tinygltf::Material& source, const std::string& pointer, GltfEmissions& emissions,
+                  Material& material) {
   const Rgb factor = emissive_factor(source);
   const bool varies =
       (material.textures && material.textures->emissive) || (material.unlit && material.has_vertex_colors);
   material.emissive_factor = to_float({factor.r, factor.g, factor.b});
   material.emission_luminance =
       static_cast<float>(varies ? emissive_strength(source) : emitted_luminance(source));
-  if (auto given = given_emission(document, index, overrides)) {
-    material.emission_is_measured = true;
-    return std::move(*given);
-  }
-  const std::string where =
-      fmt::format("{}#/materials/{}/emissiveFactor", document.file.path.string(), index);
-  return emission_from_rgb(varies ? Rgb{1, 1, 1} : factor, where);
-}
-
-/// The spectrum's index; equal ones are kept once.
-int add_emission(NamedEmission emission, std::vector<std::string>& digests, Scene& scene) {
-  const std::string key = digest(emission.spectrum);
-  const auto found = std::ranges::find(digests, key);
-  const auto index = static_cast<int>(found - digests.begin());
-  if (found != digests.end()) return index;
-  digests.push_back(key);
-  scene.emission_spectra.push_back(std::move(emission.spectrum));
-  scene.emission_names.push_back(std::move(emission.name));
-  return index;
-}
-
-/// Used materials that emit, in the file's order. One that names a lamp but is black is a mistake worth
-/// telling.
-std::vector<std::size_t> list_emitters(const GltfDocument& document, const Scene& scene) {
-  std::set<std::size_t> used;
-  for (const Shape& shape : scene.geometry.shapes) used.insert(shape.material);
-  std::vector<std::size_t> emitters;
-  for (const std::size_t index : used) {
-    if (index >= document.model.materials.size()) continue;
-    const tinygltf::Material& material = document.model.materials[index];
-    if (emitted_luminance(material) > 0.0) {
-      emitters.push_back(index);
-    } else if (material.extras.IsObject() && material.extras.Has("emission_spectrum")) {
-      document.fail(fmt::format("/materials/{}", index), "it has an emission_spectrum but emits nothing",
-                    "set emissiveFactor and emissiveStrength to its luminance");
-    }
-  }
-  return emitters;
-}
-
-void check_overrides(const GltfDocument& document, const std::vector<EmitterOverride>& overrides,
-                     const std::vector<std::size_t>& emitters) {
-  std::vector<std::size_t> lamps = emitters;
-  std::erase_if(lamps, [&](std::size_t index) { return is_unlit(document.model.materials[index]); });
-  std::string names;
-  for (const std::size_t index : lamps)
-    names += (names.empty() ? "\"" : ", \"") + document.model.materials[index].name + "\"";
-  for (const EmitterOverride& given : overrides) {
-    const auto matches = [&](std::size_t index) {
-      return document.model.materials[index].name == given.name;
-    };
-    if (given.name.empty() || std::ranges::any_of(lamps, matches)) continue;
-    throw InputError(
-        "--emitter " + given.name + "=" + given.text, "no emissive material has that name",
-        names.empty() ? document.file.path.string() + " has no emissive material" : "choose one of " + names);
-  }
+  const GltfEmissions::Added added = emissions.add({.name = source.name,
+                                                    .kind = "material",
+                                                    .pointer = pointer,
+                                                    .color_member = "emissiveFactor",
+                                                    .color = varies ? Rgb{1, 1, 1} : factor,
+                                                    .extras = &source.extras,
+                                                    .is_lamp = !is_unlit(source)});
+  material.emission_spectrum = added.spectrum;
+  material.emission_is_measured = added.measured;
 }
 
 }  // namespace
 
-void load_gltf_emission(const GltfDocument& document, const std::vector<EmitterOverride>& overrides,
-                        Scene& scene) {
-  const std::vector<std::size_t> emitters = list_emitters(document, scene);
-  check_overrides(document, overrides, emitters);
-  std::vector<std::string> digests;
-  for (const std::size_t index : emitters) {
-    Material& material = scene.materials[index];
-    material.emission_spectrum =
-        add_emission(set_emission(document, index, overrides, material), digests, scene);
+GltfEmissions::Added GltfEmissions::add(const GltfEmitter& emitter) {
+  std::optional<NamedEmission> given = given_emission(document_, emitter, overrides_);
+  const bool measured = given.has_value();
+  if (!given)
+    given = emission_from_rgb(
+        emitter.color, document_.file.path.string() + "#" + emitter.pointer + "/" + emitter.color_member);
+  if (emitter.is_lamp && std::ranges::count(names_, emitter.name) == 0) names_.push_back(emitter.name);
+  const std::string key = digest(given->spectrum);
+  const auto found = std::ranges::find(digests_, key);
+  const auto index = static_cast<int>(found - digests_.begin());
+  if (found != digests_.end()) return {index, measured};
+  digests_.push_back(key);
+  scene_.emission_spectra.push_back(std::move(given->spectrum));
+  scene_.emission_names.push_back(std::move(given->name));
+  return {index, measured};
+}
+
+void GltfEmissions::check_dark(const tinygltf::Value& extras, const std::string& pointer,
+                               const std::string& remedy) const {
+  if (extras.IsObject() && extras.Has("emission_spectrum"))
+    document_.fail(pointer, "it has an emission_spectrum but emits nothing", remedy);
+}
+
+void GltfEmissions::check_overrides() const {
+  for (const EmitterOverride& given : overrides_) {
+    if (given.name.empty() || std::ranges::count(names_, given.name) > 0) continue;
+    throw InputError("--emitter " + given.name + "=" + given.text,
+                     "no emissive material or light has that name",
+                     names_.empty() ? document_.file.path.string() + " has none"
+                                    : fmt::format("choose one of \"{}\"", fmt::join(names_, "\", \"")));
+  }
+}
+
+void load_gltf_emission(const GltfDocument& document, GltfEmissions& emissions, Scene& scene) {
+  std::set<std::size_t> used;
+  for (const Shape& shape : scene.geometry.shapes) used.insert(shape.material);
+  for (const std::size_t index : used) {
+    if (index >= document.model.materials.size()) continue;
+    const tinygltf::Material& source = document.model.materials[index];
+    const std::string pointer = fmt::format("/materials/{}", index);
+    if (!(emitted_luminance(source) > 0.0)) {
+      emissions.check_dark(source.extras, pointer,
+                           "set emissiveFactor and emissiveStrength to its luminance");
+      continue;
+    }
+    set_emission(source, pointer, emissions, scene.materials[index]);
   }
 }
 

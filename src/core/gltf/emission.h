@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/gltf/document.h"
@@ -7,11 +8,47 @@
 
 namespace photopic {
 
-/// Gives the scene's used materials (those of a shape) their emission: emissiveFactor's luminance ×
-/// emissiveStrength on the spectrum of an override, else of `extras.emission_spectrum`, else on the colour
+/// Something of the file that emits light: a material, a light, the environment.
+struct GltfEmitter {
+  std::string name;               ///< for `--emitter NAME=SPECTRUM`
+  std::string kind;               ///< "material" or "light", for messages
+  std::string pointer;            ///< JSON pointer of it
+  std::string color_member;       ///< member of it that holds the colour
+  Rgb color;                      ///< linear sRGB, not black
+  const tinygltf::Value* extras;  ///< may hold an emission_spectrum; null: none
+  bool is_lamp = true;            ///< else its spectrum is that of its colour, whatever else is said
+};
+
+/// Collects a scene's emission spectra: of an override, else of `extras.emission_spectrum`, else the colour
 /// upsampled on D65.
-/// @throws InputError for spectra without light, and for overrides that name no emissive material
-void load_gltf_emission(const GltfDocument& document, const std::vector<EmitterOverride>& overrides,
-                        Scene& scene);
+class GltfEmissions {
+ public:
+  GltfEmissions(const GltfDocument& document, const std::vector<EmitterOverride>& overrides, Scene& scene)
+      : document_(document), overrides_(overrides), scene_(scene) {}
+
+  struct Added {
+    int spectrum;   ///< index into Scene::emission_spectra; equal spectra are kept once
+    bool measured;  ///< by an override or extras, not by the colour
+  };
+  /// @throws InputError for spectra without light
+  Added add(const GltfEmitter& emitter);
+
+  /// Refuses an object that emits nothing, but names a lamp in its extras: a mistake worth telling.
+  void check_dark(const tinygltf::Value& extras, const std::string& pointer, const std::string& remedy) const;
+
+  /// @throws InputError for overrides that name none of those added
+  void check_overrides() const;
+
+ private:
+  const GltfDocument& document_;
+  const std::vector<EmitterOverride>& overrides_;
+  Scene& scene_;
+  std::vector<std::string> digests_, names_;
+};
+
+/// Gives the scene's used materials (those of a shape) their emission: emissiveFactor's luminance ×
+/// emissiveStrength.
+/// @throws InputError
+void load_gltf_emission(const GltfDocument& document, GltfEmissions& emissions, Scene& scene);
 
 }  // namespace photopic

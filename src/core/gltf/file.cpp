@@ -13,12 +13,13 @@
 namespace photopic {
 namespace {
 
-constexpr int kMaxNesting = 100;
 constexpr std::uintmax_t kMaxFile = 0xFFFFFFFF;  // what a .glb's header can announce
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
 constexpr const char* kReexport = "export the file again";
 
-std::vector<char> read_bytes(const std::filesystem::path& path, const std::string& where,
+/// @tparam Byte char or std::byte
+template <typename Byte>
+std::vector<Byte> read_bytes(const std::filesystem::path& path, const std::string& where,
                              std::size_t at_least, std::size_t at_most) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) {
@@ -34,9 +35,9 @@ std::vector<char> read_bytes(const std::filesystem::path& path, const std::strin
   }
   if (size > kMaxFile && at_most > kMaxFile)
     throw InputError(where, fmt::format("\"{}\" is larger than 4 GiB", path.string()), "split the scene");
-  std::vector<char> bytes(std::min<std::uintmax_t>(size, at_most));
+  std::vector<Byte> bytes(std::min<std::uintmax_t>(size, at_most));
   std::ifstream stream(path, std::ios::binary);
-  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) {
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {
     throw InputError(where, fmt::format("\"{}\" cannot be read", path.string()), "check its permissions");
   }
   return bytes;
@@ -80,27 +81,6 @@ void split_glb(GltfFile& file) {
   if (file.json.empty()) throw InputError(where, "the .glb holds no JSON chunk", kReexport);
   // Chunks are padded with blanks; some exporters pad with zeros.
   while (file.json.ends_with('\0')) file.json.remove_suffix(1);
-}
-
-void check_nesting(const GltfFile& file) {
-  int depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < file.json.size(); ++i) {
-    const char c = file.json[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-      continue;
-    }
-    if (c == '"') in_string = true;
-    if (c == '[' || c == '{') ++depth;
-    if (c == ']' || c == '}') --depth;
-    if (depth > kMaxNesting) {
-      throw InputError(file.path.string(),
-                       fmt::format("the JSON is nested more than {} deep at byte {}", kMaxNesting, i),
-                       "remove the nested extras");
-    }
-  }
 }
 
 constexpr std::array<std::int8_t, 256> base64_values() {
@@ -152,7 +132,7 @@ std::string decode_percent(std::string_view text) {
 }  // namespace
 
 std::vector<char> read_gltf_bytes(const std::filesystem::path& path) {
-  return read_bytes(path, path.string(), 1, SIZE_MAX);
+  return read_bytes<char>(path, path.string(), 1, SIZE_MAX);
 }
 
 GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path) {
@@ -163,7 +143,6 @@ GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path) 
   }
   file.json = {file.bytes.data(), file.bytes.size()};
   if (glb) split_glb(file);
-  check_nesting(file);
   return file;
 }
 
@@ -196,10 +175,7 @@ std::vector<std::byte> read_gltf_uri(const std::string& uri, std::optional<std::
   const std::filesystem::path file = gltf_uri_file(uri, folder);
   if (file.empty())
     throw InputError(where, "the uri is not a local file", "download it beside the glTF file");
-  const std::vector<char> bytes =
-      read_bytes(file, where, byte_length.value_or(1), byte_length.value_or(SIZE_MAX));
-  const auto view = std::as_bytes(std::span(bytes));
-  return {view.begin(), view.end()};
+  return read_bytes<std::byte>(file, where, byte_length.value_or(1), byte_length.value_or(SIZE_MAX));
 }
 
 }  // namespace photopic

@@ -14,7 +14,7 @@ namespace photopic {
 struct GltfFile {
   std::filesystem::path path;
   std::vector<char> bytes;
-  std::string_view json;           ///< in `bytes`
+  std::string_view json;           ///< in `bytes`; gone once it has been parsed
   std::span<const std::byte> bin;  ///< in `bytes`; the .glb's binary chunk, empty when there is none
 };
 
@@ -22,7 +22,7 @@ struct GltfFile {
 /// @throws InputError
 std::vector<char> read_gltf_bytes(const std::filesystem::path& path);
 
-/// Finds the parts of a file (glTF 2.0, section 4.4); refuses JSON nested too deep for recursive parsers.
+/// Finds the parts of a file (glTF 2.0, section 4.4).
 /// @throws InputError
 GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path);
 

@@ -2,153 +2,79 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <limits>
 
-#include "core/gltf/accessor.h"
+#include "core/gltf/geometry_plan.h"
+#include "core/gltf/skin.h"
+#include "core/surface_point.h"
 
 namespace photopic {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-constexpr std::size_t kMaxVertices = 100'000'000, kMaxTriangles = 100'000'000;  // some 4 GB, instances baked
-constexpr double kMaxCoordinate = 1e15;                                         // its square fits a float
+constexpr double kMaxCoordinate = 1e15;  // its square fits a float
 
-/// One primitive of one mesh under one node.
-struct Part {
-  int node, mesh, primitive;
-  Affine to_world;
+struct Box {
+  Vec3d low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
 
-  const tinygltf::Primitive& in(const GltfDocument& document) const {
-    return document.model.meshes[mesh].primitives[primitive];
+  void add(Vec3d p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  std::string pointer() const { return fmt::format("/meshes/{}/primitives/{}", mesh, primitive); }
-};
-
-int position_accessor(const tinygltf::Primitive& primitive) {
-  return primitive.attributes.at("POSITION");
-}
-
-/// What was mended or left out, counted for one warning each.
-struct Tally {
-  std::size_t not_triangles = 0, no_positions = 0, degenerate = 0, left_over = 0, flattened = 0,
-              zero_normals = 0;
-  bool morphs = false, skins = false;
-
-  void report(std::vector<std::string>& warnings) const {
-    const auto add = [&](std::size_t count, const char* text) {
-      if (count > 0) warnings.push_back(fmt::format("{}: {}", text, count));
-    };
-    add(not_triangles, "primitives of points or lines, not rendered");
-    add(no_positions, "primitives without POSITION, not rendered");
-    add(degenerate, "triangles of zero area, dropped");
-    add(left_over, "primitives whose last vertices make no whole triangle, dropped");
-    add(flattened, "meshes flattened by a scale of zero");
-    add(zero_normals, "vertices with a normal of zero length, shaded flat");
-    if (morphs) warnings.emplace_back("morph targets are ignored: meshes stay at rest");
-    if (skins) warnings.emplace_back("skins are ignored: meshes stay in their rest pose");
+  Vec3d middle() const { return low.x <= high.x ? (low + high) * 0.5 : Vec3d{}; }
+  Vec3d corner(int i) const {
+    return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
   }
 };
 
-std::vector<Part> list_parts(const GltfDocument& document, const std::vector<NodeInstance>& instances,
-                             Tally& tally) {
-  std::vector<Part> parts;
-  for (const NodeInstance& instance : instances) {
-    const tinygltf::Node& node = document.model.nodes[instance.node];
-    if (node.mesh < 0) continue;
-    tally.skins |= node.skin >= 0;
-    if (instance.to_world.determinant() == 0) ++tally.flattened;
-    const auto& primitives = document.model.meshes[node.mesh].primitives;
-    for (int i = 0; i < static_cast<int>(primitives.size()); ++i) {
-      tally.morphs |= !primitives[i].targets.empty();
-      const int mode = primitives[i].mode;
-      const bool triangles =
-          mode == -1 || (mode >= TINYGLTF_MODE_TRIANGLES && mode <= TINYGLTF_MODE_TRIANGLE_FAN);
-      if (!triangles)
-        ++tally.not_triangles;
-      else if (!primitives[i].attributes.contains("POSITION"))
-        ++tally.no_positions;
-      else
-        parts.push_back({instance.node, node.mesh, i, instance.to_world});
+/// How the vertices of a part come to where the geometry keeps them.
+struct VertexMap {
+  Affine whole;
+  std::vector<Affine> of_vertex;  ///< of skinned parts
+
+  const Affine& operator[](std::size_t i) const { return of_vertex.empty() ? whole : of_vertex[i]; }
+  void translate(Vec3d by) {
+    whole.t = whole.t + by;
+    for (Affine& m : of_vertex) m.t = m.t + by;
+  }
+};
+
+/// The vertices of a primitive that are stored: all, or, where it has fewer indices than vertices (exporters
+/// let many primitives share one long list), those that it uses.
+class VertexSelection {
+ public:
+  VertexSelection(const GltfDocument& document, const PrimitiveRef& ref) {
+    const std::size_t vertices = vertex_count(document, ref.in(document));
+    if (stored_vertex_count(document, ref.in(document)) == vertices) return;
+    place_.assign(vertices, kUnused);
+    for (const std::uint32_t index : read_checked_indices(document, ref)) place_[index] = 0;
+    std::uint32_t next = 0;
+    for (std::uint32_t& place : place_)
+      if (place != kUnused) place = next++;
+  }
+
+  std::uint32_t place_of(std::uint32_t vertex) const { return place_.empty() ? vertex : place_[vertex]; }
+
+  /// Calls visit(place, vertex) for those of `count` vertices that are stored.
+  template <typename Visit>
+  void for_each(std::size_t count, const Visit& visit) const {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (place_.empty())
+        visit(i, i);
+      else if (place_[i] != kUnused)
+        visit(place_[i], i);
     }
   }
-  return parts;
-}
 
-std::size_t corner_count(const GltfDocument& document, const tinygltf::Primitive& primitive) {
-  return document.model.accessors[primitive.indices >= 0 ? primitive.indices : position_accessor(primitive)]
-      .count;
-}
+ private:
+  static constexpr std::uint32_t kUnused = ~0u;
+  std::vector<std::uint32_t> place_;  ///< of each vertex; empty: all are stored as they stand
+};
 
-std::size_t triangle_count(const tinygltf::Primitive& primitive, std::size_t corners) {
-  const bool list = primitive.mode == -1 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
-  return list ? corners / 3 : corners >= 3 ? corners - 2 : 0;
-}
-
-/// Corner numbers of triangle i (glTF 2.0, section 3.7.2.1): strips alternate their winding, fans share
-/// corner 0.
-Triangle corners_of(const tinygltf::Primitive& primitive, std::uint32_t i) {
-  if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP) return {i, i + 1 + i % 2, i + 2 - i % 2};
-  if (primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) return {i + 1, i + 2, 0};
-  return {3 * i, 3 * i + 1, 3 * i + 2};
-}
-
-void reserve(const GltfDocument& document, const std::vector<Part>& parts, Geometry& geometry) {
-  std::size_t vertices = 0, triangles = 0;
-  for (const Part& part : parts) {
-    vertices += document.model.accessors[position_accessor(part.in(document))].count;
-    triangles += triangle_count(part.in(document), corner_count(document, part.in(document)));
-    if (vertices > kMaxVertices || triangles > kMaxTriangles) {
-      document.fail(
-          fmt::format("/nodes/{}", part.node),
-          fmt::format("the scene's instances hold more than {} vertices or triangles", kMaxVertices),
-          "split the scene or thin it out");
-    }
-  }
-  geometry.positions.reserve(vertices);
-  geometry.normals.reserve(vertices);
-  geometry.triangles.reserve(triangles);
-  geometry.shapes.reserve(parts.size());
-}
-
-Vec3d bounding_box_middle(const GltfDocument& document, const std::vector<Part>& parts) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Vec3d low{kInfinity, kInfinity, kInfinity}, high = -low;
-  for (const Part& part : parts) {
-    for (const Vec3f& position : read_vec3(document, position_accessor(part.in(document)))) {
-      const Vec3d p = part.to_world.point(to_double(position));
-      if (!(max_abs(p) <= kMaxCoordinate)) {
-        document.fail(fmt::format("/nodes/{}", part.node),
-                      fmt::format("its mesh reaches beyond {} m", kMaxCoordinate),
-                      "correct the positions or scales");
-      }
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-  }
-  return parts.empty() ? Vec3d{} : (low + high) * 0.5;
-}
-
-void append_normals(const GltfDocument& document, const Part& part, std::size_t count, Geometry& geometry,
-                    Tally& tally) {
-  const auto attribute = part.in(document).attributes.find("NORMAL");
-  if (attribute == part.in(document).attributes.end()) {
-    geometry.normals.resize(geometry.normals.size() + count);
-    return;
-  }
-  const std::vector<Vec3f> normals = read_vec3(document, attribute->second);
-  if (normals.size() != count) {
-    document.fail(part.pointer() + "/attributes/NORMAL",
-                  fmt::format("there are {} normals for {} positions", normals.size(), count));
-  }
-  for (const Vec3f& normal : normals) {
-    // Scaled first, so that neither tiny nor huge transformations underflow or overflow in the square.
-    Vec3d n = part.to_world.normal(to_double(normal));
-    const double scale = max_abs(n);
-    n = scale > 0 && std::isfinite(scale) ? normalize(n / scale) : Vec3d{};
-    if (n == Vec3d{}) ++tally.zero_normals;
-    geometry.normals.push_back(to_float(n));
-  }
+/// Scaled first, so that neither tiny nor huge transformations underflow or overflow in the square.
+Vec3f unit_or_zero(Vec3d v) {
+  const double scale = max_abs(v);
+  return scale > 0 && std::isfinite(scale) ? to_float(normalize(v / scale)) : Vec3f{};
 }
 
 /// Whether a renderer in single precision sees no area: the squared length of the normal underflows.
@@ -158,61 +84,182 @@ bool is_degenerate(const Geometry& geometry, const Triangle& t) {
   return !(dot(n, n) >= std::numeric_limits<float>::min());
 }
 
-void append_triangles(const GltfDocument& document, const Part& part, std::uint32_t first_vertex,
-                      std::size_t vertices, Geometry& geometry, Tally& tally) {
-  const tinygltf::Primitive& primitive = part.in(document);
-  const std::vector<std::uint32_t> indices =
-      primitive.indices >= 0 ? read_indices(document, primitive.indices) : std::vector<std::uint32_t>{};
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    if (indices[i] >= vertices)
-      document.fail(part.pointer() + "/indices",
-                    fmt::format("index {} at {} lies beyond the {} vertices", indices[i], i, vertices));
-  }
-  const std::size_t corners = corner_count(document, primitive), count = triangle_count(primitive, corners);
-  const bool list = primitive.mode == -1 || primitive.mode == TINYGLTF_MODE_TRIANGLES;
-  if (list ? corners % 3 != 0 : corners < 3) ++tally.left_over;
+class GeometryLoader {
+ public:
+  GeometryLoader(const GltfDocument& document, GeometryPlan plan, Scene& scene)
+      : document_(document),
+        plan_(std::move(plan)),
+        scene_(scene),
+        geometry_(scene.geometry),
+        skins_(document) {}
 
-  const bool mirrored = part.to_world.determinant() < 0;
-  for (std::uint32_t i = 0; i < count; ++i) {
-    Triangle triangle = corners_of(primitive, i);
-    for (std::uint32_t& corner : triangle)
-      corner = first_vertex + (indices.empty() ? corner : indices[corner]);
-    if (mirrored) std::swap(triangle[1], triangle[2]);
-    if (is_degenerate(geometry, triangle))
-      ++tally.degenerate;
+  void load() {
+    find_middles();
+    allocate();
+    for (const Part& part : plan_.baked) append(part, -scene_.origin, 0);
+    for (std::size_t p = 0; p < plan_.prototypes.size(); ++p) {
+      const auto first = static_cast<std::uint32_t>(geometry_.shapes.size());
+      for (const Part& part : plan_.prototypes[p].parts) append(part, -boxes_[p].middle(), first);
+      geometry_.prototypes.push_back({first, static_cast<std::uint32_t>(geometry_.shapes.size()) - first});
+    }
+    for (const auto& [prototype, place] : plan_.instances)
+      append_instance(prototype, plan_.places[place].to_world);
+    plan_.tally.report(scene_.warnings);
+  }
+
+ private:
+  int node_of(const Part& part) const { return part.place == kNoPlace ? -1 : plan_.places[part.place].node; }
+
+  VertexMap map_of(const Part& part) {
+    VertexMap map;
+    if (part.place == kNoPlace) return map;
+    const NodeInstance& place = plan_.places[part.place];
+    map.whole = place.to_world;
+    const int skin = document_.model.nodes[place.node].skin;
+    if (skin >= 0) map.of_vertex = skins_.vertex_transforms(skin, part.primitive);
+    return map;
+  }
+
+  void check_reach(Vec3d p, const std::string& pointer) const {
+    if (!(max_abs(p) <= kMaxCoordinate))
+      document_.fail(pointer, fmt::format("its mesh reaches beyond {} m", kMaxCoordinate),
+                     "correct the positions or scales");
+  }
+
+  void add_to(Box& box, const Part& part) {
+    const VertexMap map = map_of(part);
+    const int node = node_of(part);
+    const auto positions = read_morphed<Vec3f>(document_, part.primitive, node, "POSITION");
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const Vec3d p = map[i].point(to_double(positions[i]));
+      check_reach(p, node < 0 ? part.primitive.pointer() : fmt::format("/nodes/{}", node));
+      box.add(p);
+    }
+  }
+
+  /// The scene's origin is the middle of its bounding box, a prototype's that of its own.
+  void find_middles() {
+    Box world;
+    for (const Part& part : plan_.baked) add_to(world, part);
+    for (const auto& prototype : plan_.prototypes) {
+      boxes_.emplace_back();
+      for (const Part& part : prototype.parts) add_to(boxes_.back(), part);
+    }
+    for (const auto& [prototype, place] : plan_.instances) {
+      for (int i = 0; i < 8; ++i) {
+        const Vec3d p = plan_.places[place].to_world.point(boxes_[prototype].corner(i));
+        check_reach(p, fmt::format("/nodes/{}", plan_.places[place].node));
+        world.add(p);
+      }
+    }
+    scene_.origin = world.middle();
+  }
+
+  /// No array that no surface needs; no room beyond what is needed.
+  void allocate() {
+    const std::size_t vertices = plan_.vertices;
+    geometry_.positions.reserve(vertices + 1);  // Embree reads 16 bytes at a time
+    geometry_.positions.resize(vertices);
+    geometry_.triangles.reserve(plan_.triangles);
+    if (plan_.normals) geometry_.normals.resize(vertices);
+    if (plan_.tangents) geometry_.tangents.resize(vertices);
+    if (plan_.colors) geometry_.colors.resize(vertices, {1, 1, 1, 1});
+    for (int set = 0; set < kUvSets; ++set)
+      if (plan_.uv_sets >> set & 1) geometry_.uvs[static_cast<std::size_t>(set)].resize(vertices);
+  }
+
+  void append(const Part& part, Vec3d offset, std::uint32_t first_shape) {
+    VertexMap map = map_of(part);
+    map.translate(offset);
+    const VertexSelection selection(document_, part.primitive);
+    const auto positions = read_morphed<Vec3f>(document_, part.primitive, node_of(part), "POSITION");
+    selection.for_each(positions.size(), [&](std::size_t to, std::size_t i) {
+      geometry_.positions[vertices_ + to] = to_float(map[i].point(to_double(positions[i])));
+    });
+    append_directions(part, map, selection);
+    append_coordinates(part, selection);
+    append_triangles(part, selection, map[0].determinant() < 0, first_shape);
+    vertices_ += static_cast<std::uint32_t>(stored_vertex_count(document_, part.primitive.in(document_)));
+  }
+
+  void append_directions(const Part& part, const VertexMap& map, const VertexSelection& selection) {
+    if (plan_.normals) {
+      const auto normals = read_morphed<Vec3f>(document_, part.primitive, node_of(part), "NORMAL");
+      selection.for_each(normals.size(), [&](std::size_t to, std::size_t i) {
+        const Vec3f n = unit_or_zero(map[i].normal(to_double(normals[i])));
+        if (n == Vec3f{}) ++plan_.tally.zero_normals;
+        geometry_.normals[vertices_ + to] = n;
+      });
+    }
+    if (!plan_.tangents) return;
+    // A mirror turns normal × tangent against the bitangent's image.
+    const auto tangents = read_morphed<Vec4f>(document_, part.primitive, node_of(part), "TANGENT");
+    selection.for_each(tangents.size(), [&](std::size_t to, std::size_t i) {
+      const Vec3f t = unit_or_zero(map[i].vector({tangents[i].x, tangents[i].y, tangents[i].z}));
+      const bool positive = (tangents[i].w >= 0) == (map[i].determinant() >= 0);
+      geometry_.tangents[vertices_ + to] = {t.x, t.y, t.z, positive ? 1.0f : -1.0f};
+    });
+  }
+
+  void append_coordinates(const Part& part, const VertexSelection& selection) {
+    const auto copy = [&](const auto& values, auto& array) {
+      selection.for_each(values.size(),
+                         [&](std::size_t to, std::size_t i) { array[vertices_ + to] = values[i]; });
+    };
+    for (std::size_t set = 0; set < kUvSets; ++set) {
+      if (geometry_.uvs[set].empty()) continue;
+      const auto uvs =
+          read_attribute<Vec2f>(document_, part.primitive, fmt::format("TEXCOORD_{}", set).c_str());
+      copy(uvs, geometry_.uvs[set]);
+      const bool wanted = scene_.materials.at(part.material).uv_sets >> set & 1;
+      if (uvs.empty() && wanted) ++plan_.tally.no_coordinates;
+    }
+    if (plan_.colors) copy(read_colors(document_, part.primitive), geometry_.colors);
+  }
+
+  /// Neighbours of the same material become one shape.
+  void append_triangles(const Part& part, const VertexSelection& selection, bool mirrored,
+                        std::uint32_t first_shape) {
+    const auto first = static_cast<std::uint32_t>(geometry_.triangles.size());
+    for_each_triangle(document_, part.primitive, [&](Triangle triangle) {
+      for (std::uint32_t& corner : triangle) corner = vertices_ + selection.place_of(corner);
+      if (mirrored) std::swap(triangle[1], triangle[2]);
+      if (is_degenerate(geometry_, triangle))
+        ++plan_.tally.degenerate;
+      else
+        geometry_.triangles.push_back(triangle);
+    });
+    if (has_left_over(document_, part.primitive.in(document_))) ++plan_.tally.left_over;
+
+    const auto count = static_cast<std::uint32_t>(geometry_.triangles.size()) - first;
+    auto& shapes = geometry_.shapes;
+    if (count == 0) return;
+    if (shapes.size() > first_shape && shapes.back().material == part.material)
+      shapes.back().triangle_count += count;
     else
-      geometry.triangles.push_back(triangle);
+      shapes.push_back({first, count, part.material});
   }
-}
 
-void append_part(const GltfDocument& document, const Part& part, Scene& scene, Tally& tally) {
-  Geometry& geometry = scene.geometry;
-  const auto first_vertex = static_cast<std::uint32_t>(geometry.positions.size());
-  const auto first_triangle = static_cast<std::uint32_t>(geometry.triangles.size());
-  const std::vector<Vec3f> positions = read_vec3(document, position_accessor(part.in(document)));
-  for (const Vec3f& p : positions)
-    geometry.positions.push_back(to_float(part.to_world.point(to_double(p)) - scene.origin));
-  append_normals(document, part, positions.size(), geometry, tally);
-  append_triangles(document, part, first_vertex, positions.size(), geometry, tally);
+  void append_instance(std::uint32_t prototype, Affine to_world) {
+    const Box& box = boxes_[prototype];
+    to_world.t = to_world.point(box.middle()) - scene_.origin;
+    geometry_.instances.push_back(
+        {round_to_float(to_world), prototype, instance_error(to_world, box.high - box.middle())});
+  }
 
-  const auto count = static_cast<std::uint32_t>(geometry.triangles.size()) - first_triangle;
-  const int material = part.in(document).material;
-  const auto material_index =
-      material >= 0 ? static_cast<std::size_t>(material) : document.model.materials.size();
-  if (count > 0)
-    geometry.shapes.push_back({first_triangle, count, static_cast<std::uint32_t>(material_index)});
-}
+  const GltfDocument& document_;
+  GeometryPlan plan_;
+  Scene& scene_;
+  Geometry& geometry_;
+  SkinPoses skins_;
+  std::vector<Box> boxes_;      ///< of each prototype, in its mesh's own space
+  std::uint32_t vertices_ = 0;  ///< appended so far
+};
 
 }  // namespace
 
-void load_gltf_geometry(const GltfDocument& document, const std::vector<NodeInstance>& instances,
-                        Scene& scene) {
-  Tally tally;
-  const std::vector<Part> parts = list_parts(document, instances, tally);
-  reserve(document, parts, scene.geometry);
-  scene.origin = bounding_box_middle(document, parts);
-  for (const Part& part : parts) append_part(document, part, scene, tally);
-  tally.report(scene.warnings);
+void load_gltf_geometry(const GltfDocument& document, const std::vector<NodeInstance>& nodes, Scene& scene) {
+  GeometryLoader(document, plan_gltf_geometry(document, nodes, scene.materials), scene).load();
 }
 
 }  // namespace photopic

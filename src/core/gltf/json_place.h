@@ -10,6 +10,9 @@ namespace photopic {
 
 using Json = nlohmann::json;
 
+/// A key as part of a JSON pointer (RFC 6901), "/" before it, fit for one line.
+std::string pointer_token(std::string_view key);
+
 /// A value of a glTF document and the way to it, spelled out only when it is wrong. A place points to the one
 /// it was made from, which must live as long.
 class Place {

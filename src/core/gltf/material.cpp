@@ -159,12 +159,12 @@ Spectrum reflectance_from_rgb(const Rgb& color) {
   return upsample_reflectance(color);
 }
 
-std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, std::size_t index,
+std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, const tinygltf::Value& extras,
+                                              const std::string& object, const std::string& owner,
                                               const char* key, Beyond beyond) {
-  const tinygltf::Value& extras = document.model.materials[index].extras;
   if (!extras.IsObject() || !extras.Has(key)) return std::nullopt;
   const tinygltf::Value& value = extras.Get(key);
-  const std::string pointer = fmt::format("/materials/{}/extras/{}", index, key);
+  const std::string pointer = fmt::format("{}/extras/{}", object, key);
   try {
     if (value.IsString()) {
       const auto& text = value.Get<std::string>();
@@ -172,7 +172,7 @@ std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, std:
     }
     const TabulatedSpectrum table(numbers(document, pointer, value, "nm"),
                                   numbers(document, pointer, value, "value"), beyond);
-    return ExtrasSpectrum{table, "of material " + document.model.materials[index].name};
+    return ExtrasSpectrum{table, owner};
   } catch (const std::invalid_argument& error) {
     document.fail(pointer, error.what(), "correct the spectrum");
   } catch (const InputError& error) {
@@ -180,6 +180,13 @@ std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, std:
     throw InputError(document.file.path.string() + "#" + pointer, error.what(),
                      "files are sought beside the glTF file");
   }
+}
+
+std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, std::size_t index,
+                                              const char* key, Beyond beyond) {
+  const tinygltf::Material& material = document.model.materials[index];
+  return extras_spectrum(document, material.extras, fmt::format("/materials/{}", index),
+                         "of material " + material.name, key, beyond);
 }
 
 void load_gltf_materials(const GltfDocument& document, Scene& scene) {

@@ -21,6 +21,10 @@ struct ExtrasSpectrum {
 };
 std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, std::size_t material,
                                               const char* key, Beyond beyond);
+/// The same for any object. @param pointer JSON pointer of it @param owner as in "of material x"
+std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, const tinygltf::Value& extras,
+                                              const std::string& pointer, const std::string& owner,
+                                              const char* key, Beyond beyond);
 
 /// A linear sRGB colour as a reflectance; greys are constant, exactly.
 Spectrum reflectance_from_rgb(const Rgb& color);

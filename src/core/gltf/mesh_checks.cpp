@@ -40,7 +40,7 @@ class AttributeCheck {
   void operator()(const Place& attributes, const std::array<Semantic, N>& semantics,
                   std::optional<std::uint64_t> count) const {
     for (auto& [key, value] : attributes.value.items()) {
-      const auto is_named = [&](const Semantic& s) { return key.starts_with(s.name); };
+      const auto is_named = [&name = key](const Semantic& s) { return name.starts_with(s.name); };
       const auto semantic = std::ranges::find_if(semantics, is_named);
       if (semantic == semantics.end()) continue;
       const Place at = attributes.member(key, value);

@@ -23,29 +23,10 @@ Affine matrix_of(const GltfDocument& document, int index, const std::vector<doub
   return {{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}, {m[12], m[13], m[14]}};
 }
 
-/// The rotation by a quaternion x, y, z, w; exporters round, so it is normalised first.
-Affine rotation_of(const GltfDocument& document, int index, const std::vector<double>& q) {
-  const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
-  if (!(norm > 0.0) || !std::isfinite(norm))
-    document.fail(node_pointer(index) + "/rotation", "this quaternion is zero or too large");
-  const double x = q[0] / norm, y = q[1] / norm, z = q[2] / norm, w = q[3] / norm;
-  return {{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
-          {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
-          {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)},
-          {}};
-}
-
-Affine local_transform(const GltfDocument& document, int index) {
-  const tinygltf::Node& node = document.model.nodes[index];
-  if (!node.matrix.empty()) return matrix_of(document, index, node.matrix);
-  Affine local = node.rotation.empty() ? Affine{} : rotation_of(document, index, node.rotation);
-  if (!node.scale.empty()) {
-    local.x = local.x * node.scale[0];
-    local.y = local.y * node.scale[1];
-    local.z = local.z * node.scale[2];
-  }
-  if (!node.translation.empty()) local.t = {node.translation[0], node.translation[1], node.translation[2]};
-  return local;
+bool is_hidden(const tinygltf::Node& node) {
+  const auto found = node.extensions.find("KHR_node_visibility");
+  return found != node.extensions.end() && found->second.Has("visible") &&
+         !found->second.Get("visible").Get<bool>();
 }
 
 /// Depth first through all nodes, without recursion: chains may be as long as the file.
@@ -89,24 +70,38 @@ std::vector<int> scene_roots(const tinygltf::Model& model) {
   return roots;
 }
 
-bool is_finite(const Affine& m) {
-  return photopic::is_finite(m.x) && photopic::is_finite(m.y) && photopic::is_finite(m.z) &&
-         photopic::is_finite(m.t);
-}
-
 }  // namespace
+
+Affine local_transform(const GltfDocument& document, int index) {
+  const tinygltf::Node& node = document.model.nodes[index];
+  if (!node.matrix.empty()) return matrix_of(document, index, node.matrix);
+  Affine local;
+  if (const auto& q = node.rotation; !q.empty()) {
+    const auto turned = rotation(q[0], q[1], q[2], q[3]);
+    if (!turned) document.fail(node_pointer(index) + "/rotation", "this quaternion is zero or too large");
+    local = *turned;
+  }
+  if (!node.scale.empty()) {
+    local.x = local.x * node.scale[0];
+    local.y = local.y * node.scale[1];
+    local.z = local.z * node.scale[2];
+  }
+  if (!node.translation.empty()) local.t = {node.translation[0], node.translation[1], node.translation[2]};
+  return local;
+}
 
 std::vector<NodeInstance> walk_nodes(const GltfDocument& document, std::vector<std::string>& warnings) {
   check_cycles(document);
   const auto& nodes = document.model.nodes;
   std::vector<NodeInstance> found, pending;
-  const auto push_reversed = [&](const std::vector<int>& children, const Affine& parent, int depth) {
+  const auto push_reversed = [&](const std::vector<int>& children, const Affine& parent, int depth,
+                                 bool visible) {
     for (auto child = children.rbegin(); child != children.rend(); ++child)
-      pending.push_back({*child, parent, depth});
+      pending.push_back({*child, parent, depth, visible});
   };
 
   int deepest = 0;
-  push_reversed(scene_roots(document.model), Affine{}, 0);
+  push_reversed(scene_roots(document.model), Affine{}, 0, true);
   for (std::size_t visits = 0; !pending.empty(); ++visits) {
     NodeInstance instance = pending.back();
     pending.pop_back();
@@ -121,8 +116,10 @@ std::vector<NodeInstance> walk_nodes(const GltfDocument& document, std::vector<s
       document.fail(node_pointer(instance.node), "its place in the world is not finite",
                     "correct the scales of its parents");
     }
-    push_reversed(node.children, instance.to_world, instance.depth + 1);
-    if (node.mesh >= 0 || node.camera >= 0) found.push_back(instance);
+    instance.visible = instance.visible && !is_hidden(node);
+    push_reversed(node.children, instance.to_world, instance.depth + 1, instance.visible);
+    const bool has_light = node.extensions.contains(kPunctualLights);
+    if (node.mesh >= 0 || node.camera >= 0 || has_light) found.push_back(instance);
     deepest = std::max(deepest, instance.depth);
   }
   if (deepest > kOddDepth) warnings.push_back(fmt::format("nodes lie up to {} levels deep", deepest));

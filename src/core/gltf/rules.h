@@ -147,6 +147,7 @@ inline constexpr Member kDocument[] = {
 
 /// Extensions that a file may require: rendered, or without effect on what is rendered.
 inline constexpr auto kSupported = std::to_array<std::string_view>({
+    "KHR_lights_punctual",
     "KHR_materials_anisotropy",
     "KHR_materials_clearcoat",
     "KHR_materials_diffuse_transmission",
@@ -161,13 +162,13 @@ inline constexpr auto kSupported = std::to_array<std::string_view>({
     "KHR_materials_volume",
     "KHR_mesh_quantization",
     "KHR_texture_transform",
+    "KHR_node_visibility",
+    "EXT_mesh_gpu_instancing",
     "KHR_materials_variants",
     "KHR_xmp_json_ld",
     "KHR_animation_pointer",
 });
 /// May be required too, but the loader warns of what it leaves out.
-inline constexpr auto kReported = std::to_array<std::string_view>({
-    "KHR_lights_punctual",
-});
+inline constexpr std::array<std::string_view, 0> kReported{};
 
 }  // namespace photopic::gltf_rules

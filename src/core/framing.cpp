@@ -1,0 +1,77 @@
+#include "core/framing.h"
+
+namespace photopic {
+namespace {
+
+struct Box {
+  Vec3f low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+
+  void add(Vec3f p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  bool is_empty() const { return !(low.x <= high.x); }
+  Vec3f corner(int i) const {
+    return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
+  }
+};
+
+template <typename Visit>
+void for_each_corner(const Geometry& geometry, std::size_t first_shape, std::size_t count,
+                     const Visit& visit) {
+  for (std::size_t s = first_shape; s < first_shape + count; ++s) {
+    const Shape& shape = geometry.shapes[s];
+    for (std::uint32_t i = 0; i < shape.triangle_count; ++i)
+      for (const std::uint32_t corner : geometry.triangles[shape.first_triangle + i])
+        visit(geometry.positions[corner]);
+  }
+}
+
+/// Calls visit(point) for every corner of a triangle in the world, and of an instance's box.
+template <typename Visit>
+void for_each_point(const Geometry& geometry, const Visit& visit) {
+  for_each_corner(geometry, 0, geometry.baked_shape_count(), visit);
+  std::vector<Box> boxes(geometry.prototypes.size());
+  for (std::size_t p = 0; p < boxes.size(); ++p)
+    for_each_corner(geometry, geometry.prototypes[p].first_shape, geometry.prototypes[p].shape_count,
+                    [&](Vec3f point) { boxes[p].add(point); });
+  for (const Instance& instance : geometry.instances) {
+    const Box& box = boxes[instance.prototype];
+    if (box.is_empty()) continue;
+    for (int i = 0; i < 8; ++i) visit(instance.to_world.point(box.corner(i)));
+  }
+}
+
+}  // namespace
+
+BoundingBox bounding_box(const Geometry& geometry) {
+  Box box;
+  for_each_point(geometry, [&](Vec3f point) { box.add(point); });
+  return box.is_empty() ? BoundingBox{} : BoundingBox{box.low, box.high};
+}
+
+BoundingSphere bounding_sphere(const Geometry& geometry) {
+  const BoundingBox box = bounding_box(geometry);
+  BoundingSphere sphere{(box.low + box.high) * 0.5f};
+  for_each_point(
+      geometry, [&](Vec3f point) { sphere.radius = std::max(sphere.radius, length(point - sphere.middle)); });
+  return sphere;
+}
+
+void frame(const BoundingSphere& sphere, Camera& camera) {
+  constexpr float kMargin = 1.05f;
+  constexpr float kHalfAngle = 20.0f * kPi / 180.0f;  // of the view, across the picture's shorter side
+  const float aspect = static_cast<float>(camera.width) / static_cast<float>(camera.height);
+  camera.half_height = 0.0f;
+  camera.tan_half_yfov = std::tan(kHalfAngle) / std::min(aspect, 1.0f);
+
+  const float azimuth = kPi / 6.0f, elevation = kPi / 9.0f;
+  camera.back = {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
+                 std::cos(azimuth) * std::cos(elevation)};
+  camera.right = normalize(cross(Vec3f{0, 1, 0}, camera.back));
+  camera.up = cross(camera.back, camera.right);
+  const float radius = sphere.radius > 0.0f ? sphere.radius * kMargin : 1.0f;
+  camera.position = sphere.middle + camera.back * (radius / std::sin(kHalfAngle));
+}
+
+}  // namespace photopic

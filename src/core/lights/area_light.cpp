@@ -1,0 +1,174 @@
+#include "core/lights/area_light.h"
+
+#include <numbers>
+
+#include "core/lights/spherical_polygon.h"
+#include "core/surface_point.h"
+
+namespace photopic {
+namespace {
+
+/// Squared distance in squared extents of the light beyond which solid angle and area are sampled alike.
+constexpr float kFar2 = 3.0f;
+/// Squared height above the plane, likewise, below which the solid angle is lost in rounding.
+constexpr float kTouching2 = 1e-11f;
+
+using Corners = std::array<Vec3f, 3>;
+
+Corners corners_of(const Geometry& geometry, std::uint32_t triangle) {
+  const auto& [a, b, c] = geometry.triangles[triangle];
+  return {geometry.positions[a], geometry.positions[b], geometry.positions[c]};
+}
+
+/// The mean luminance over a triangle on which emission or coverage vary, from points spread evenly over
+/// it.
+float mean_luminance(const Scene& scene, std::span<const Surface> surfaces, std::uint32_t material,
+                     std::uint32_t triangle) {
+  const float luminance = scene.materials[material].emission_luminance;
+  if (surfaces.empty()) return luminance;
+  const Surface& surface = surfaces[material];
+  if (!surface.emission_varies && !surface.partly_covers) return luminance;
+  constexpr int kSteps = 24;
+  float sum = 0.0f;
+  int count = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    for (int j = 0; i + j < kSteps; ++j, ++count) {
+      const float third = 1.0f / 3.0f, u = (static_cast<float>(i) + third) / kSteps,
+                  v = (static_cast<float>(j) + third) / kSteps;
+      const TrianglePoint point(scene.geometry, triangle, u, v);
+      const float tint = surface.emission_varies ? photopic::luminance(surface.emissive_rgb(point)) : 1.0f;
+      sum += tint * surface.coverage(point);
+    }
+  }
+  return luminance * sum / static_cast<float>(count);
+}
+
+/// A corner and its edges, the front where edge1 × edge2 points.
+struct Outline {
+  Vec3f vertex, edge1, edge2;
+};
+
+/// Of two triangles that share an edge and make a parallelogram: a corner on the shared edge, so that the
+/// half on edge1 is the second triangle.
+std::optional<Outline> parallelogram(const Corners& first, const Corners& second, float error) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const Vec3f apex1 = first[i], s1 = first[(i + 1) % 3], s2 = first[(i + 2) % 3], apex2 = second[j];
+      if (second[(j + 1) % 3] != s2 || second[(j + 2) % 3] != s1) continue;
+      if (max_abs((s1 - apex1) + (s2 - apex2)) > error) return {};
+      return Outline{s1, apex2 - s1, apex1 - s1};
+    }
+  }
+  return {};
+}
+
+std::optional<AreaLight> make_light(const Scene& scene, std::span<const Surface> surfaces,
+                                    const Outline& outline, bool whole, float error, std::uint32_t material,
+                                    std::uint32_t triangle) {
+  const Vec3d n = cross(to_double(outline.edge1), to_double(outline.edge2));
+  const double area = length(n) * (whole ? 1.0 : 0.5);
+  if (!(area > 0.0)) return {};
+  const Vec3f e1 = outline.edge1, e2 = outline.edge2;
+  const float shrink = shrink_to_middle(error, std::max(max_abs(e1), max_abs(e2)));
+  float mean = mean_luminance(scene, surfaces, material, triangle);
+  if (whole) mean = 0.5f * (mean + mean_luminance(scene, surfaces, material, triangle + 1));
+  const Material& m = scene.materials[material];
+  return AreaLight{.vertex = outline.vertex + (e1 + e2) * (shrink * (whole ? 0.5f : 1.0f / 3.0f)),
+                   .edge1 = e1 * (1.0f - shrink),
+                   .edge2 = e2 * (1.0f - shrink),
+                   .normal = to_float(normalize(n)),
+                   .area = static_cast<float>(area),
+                   .far2 = kFar2 * std::max(dot(e1, e1), dot(e2, e2)),
+                   .luminance = m.emission_luminance,
+                   .mean_luminance = mean,
+                   .error = error,
+                   .material = material,
+                   .triangle = triangle,
+                   .spectrum = m.emission_spectrum,
+                   .parallelogram = whole,
+                   .double_sided = m.double_sided};
+}
+
+SphericalPolygon seen_from(Vec3f from, const AreaLight& light, float height) {
+  const Vec3f a = light.vertex - from, b = a + light.edge1;
+  const float volume = std::abs(height) * light.area * (light.parallelogram ? 1.0f : 2.0f);
+  if (light.parallelogram) return {{a, b, b + light.edge2, a + light.edge2}, 4, volume};
+  return {{a, b, a + light.edge2, {}}, 3, volume};
+}
+
+bool is_by_area(Vec3f from, const AreaLight& light, float height) {
+  const Vec3f to_middle = light.middle() - from;
+  return dot(to_middle, to_middle) > light.far2 || height * height < kTouching2 * light.far2;
+}
+
+}  // namespace
+
+double AreaLight::power() const {
+  return std::numbers::pi * mean_luminance * area * (double_sided ? 2.0 : 1.0);
+}
+
+std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
+  const float h = height(from);
+  if (h == 0.0f || (h > 0.0f && !double_sided)) return {};
+  LightSample s{};
+  int half;  // of a parallelogram: 0 on edge1
+  if (is_by_area(from, *this, h)) {
+    const Sample2d b = parallelogram ? u : sample_triangle(u);
+    const Vec3f to_point = vertex - from + edge1 * b.x + edge2 * b.y;
+    const float distance2 = dot(to_point, to_point);
+    s.distance = std::sqrt(distance2);
+    s.direction = to_point / s.distance;
+    s.pdf = distance2 * s.distance / (std::abs(h) * area);
+    half = b.x > b.y ? 0 : 1;
+  } else {
+    const SphericalPolygon polygon = seen_from(from, *this, h);
+    const SphericalPolygon::Sample way = polygon.sample(u);
+    const float cosine = dot(normal, way.direction);
+    if (!(cosine * h > 0.0f) || !(polygon.solid_angle() > 0.0f)) return {};
+    s.distance = h / cosine;
+    s.direction = way.direction;
+    s.pdf = 1.0f / polygon.solid_angle();
+    half = way.part;
+  }
+  s.end = from + s.direction * s.distance + normal * (h < 0.0f ? error : -error);
+  s.radiance = luminance;
+  s.spectrum = spectrum;
+  s.material = material;
+  s.triangle = triangle + (parallelogram && half == 0 ? 1u : 0u);
+  return s;
+}
+
+float AreaLight::pdf(Vec3f from, float distance) const {
+  const float h = height(from);
+  if (h == 0.0f) return 0.0f;
+  if (is_by_area(from, *this, h)) return distance * distance * distance / (std::abs(h) * area);
+  const float solid_angle = seen_from(from, *this, h).solid_angle();
+  return solid_angle > 0.0f ? 1.0f / solid_angle : 0.0f;
+}
+
+AreaLights::AreaLights(const Scene& scene, std::span<const Surface> surfaces) {
+  const Geometry& geometry = scene.geometry;
+  const auto error_of = [](const Corners& c) { return position_error(c[0], c[1], c[2]); };
+  for (const Shape& shape : geometry.shapes) {
+    offset_of_shape_.push_back(shape.first_triangle - static_cast<std::uint32_t>(light_of_triangle_.size()));
+    const Material& material = scene.materials[shape.material];
+    if (material.emission_spectrum < 0 || !(material.emission_luminance > 0.0f)) continue;
+    for (std::uint32_t i = 0; i < shape.triangle_count; ++i) {
+      const std::uint32_t triangle = shape.first_triangle + i;
+      const Corners corners = corners_of(geometry, triangle);
+      const float error = error_of(corners);
+      std::optional<Outline> whole;
+      if (i + 1 < shape.triangle_count)
+        whole = parallelogram(corners, corners_of(geometry, triangle + 1), error);
+      const Outline half{corners[0], corners[1] - corners[0], corners[2] - corners[0]};
+      const auto light = make_light(scene, surfaces, whole.value_or(half), whole.has_value(), error,
+                                    shape.material, triangle);
+      const auto index = static_cast<std::uint32_t>(lights_.size());
+      light_of_triangle_.insert(light_of_triangle_.end(), whole ? 2 : 1, light ? index : kNoLight);
+      if (light) lights_.push_back(*light);
+      if (whole) ++i;
+    }
+  }
+}
+
+}  // namespace photopic

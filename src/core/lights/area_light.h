@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/lights/light.h"
+#include "core/sampling.h"
+#include "core/scene.h"
+#include "core/surface.h"
+
+namespace photopic {
+
+/// A glowing triangle, or two that make a parallelogram. Sampled uniformly by solid angle where it looks
+/// large, by area where it is so far that both are nearly the same.
+struct AreaLight {
+  Vec3f vertex, edge1, edge2;  ///< drawn towards the middle a little; see shrink_to_middle
+  Vec3f normal;                ///< of the front, unit
+  float area;                  ///< [m²]
+  float far2;                  ///< squared distance of the middle beyond which it is sampled by area [m²]
+  float luminance;             ///< before what varies over the surface [cd/m²]
+  float mean_luminance;        ///< with it, as far as a few points tell: what the light is chosen by [cd/m²]
+  float error;                 ///< bound on a point's distance from its triangle's plane [m]
+  std::uint32_t material;
+  std::uint32_t triangle;  ///< its first
+  int spectrum;
+  bool parallelogram;  ///< else a triangle; the half on edge1 is then the second triangle
+  bool double_sided;
+
+  Vec3f middle() const { return vertex + (edge1 + edge2) * (parallelogram ? 0.5f : 1.0f / 3.0f); }
+  double power() const;  ///< luminous flux [lm]
+
+  /// How far the plane lies in front of a point, along the normal: negative in front of the light [m].
+  float height(Vec3f from) const { return dot(normal, vertex - from); }
+
+  /// Nothing where it cannot be seen from.
+  std::optional<LightSample> sample(Vec3f from, Sample2d u) const;
+
+  /// The density of sample() [1/sr] in the direction of a point of it. @param distance to it [m]
+  float pdf(Vec3f from, float distance) const;
+};
+
+/// A scene's area lights, and which of them a triangle belongs to.
+class AreaLights {
+ public:
+  /// @param surfaces of the scene's materials; where there are none, nothing varies over them
+  AreaLights(const Scene& scene, std::span<const Surface> surfaces);
+
+  const std::vector<AreaLight>& list() const { return lights_; }
+
+  /// @return kNoLight for a triangle without area
+  std::uint32_t light_of(std::uint32_t shape, std::uint32_t triangle) const {
+    return light_of_triangle_[triangle - offset_of_shape_[shape]];
+  }
+
+ private:
+  std::vector<AreaLight> lights_;
+  std::vector<std::uint32_t> offset_of_shape_;    ///< its first triangle less its place in light_of_triangle_
+  std::vector<std::uint32_t> light_of_triangle_;  ///< of the triangles of shapes that emit
+};
+
+}  // namespace photopic

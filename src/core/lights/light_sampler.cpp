@@ -1,0 +1,216 @@
+#include "core/lights/light_sampler.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+namespace photopic {
+namespace {
+
+/// From so many lights on, walking the tree costs less than it saves.
+constexpr std::size_t kTreeFrom = 32;
+
+/// Power says little about how lights within the scene compare with those beyond it: of what use is the sky
+/// in a closed room, or a lamp in a landscape? Neither kind gets less than this share of the choices.
+constexpr double kLeastShare = 0.25;
+
+constexpr double kPiD = std::numbers::pi;
+
+/// The factor on unbounded lights that keeps both shares.
+double balance(double bounded, double unbounded) {
+  if (!(bounded > 0.0) || !(unbounded > 0.0)) return 1.0;
+  const double share = std::clamp(unbounded / (bounded + unbounded), kLeastShare, 1.0 - kLeastShare);
+  return share / (1.0 - share) * bounded / unbounded;
+}
+
+LightBounds bounds_of(const AreaLight& light) {
+  const Vec3f a = light.vertex, b = a + light.edge1, c = a + light.edge2;
+  const Vec3f d = light.parallelogram ? b + light.edge2 : a;
+  const auto low = [&](auto of) { return std::min({of(a), of(b), of(c), of(d)}); };
+  const auto high = [&](auto of) { return std::max({of(a), of(b), of(c), of(d)}); };
+  const auto x = [](Vec3f v) { return v.x; };
+  const auto y = [](Vec3f v) { return v.y; };
+  const auto z = [](Vec3f v) { return v.z; };
+  return {.low = {low(x), low(y), low(z)},
+          .high = {high(x), high(y), high(z)},
+          .axis = light.normal,
+          .cos_o = 1.0f,
+          .cos_e = 0.0f,
+          .two_sided = light.double_sided};
+}
+
+LightBounds bounds_of(const PunctualLight& light) {
+  const bool spot = light.kind == PunctualLight::Kind::spot;
+  return {.low = light.position,
+          .high = light.position,
+          .axis = light.direction,
+          .cos_o = spot ? light.cos_inner : -1.0f,
+          .cos_e = spot ? std::cos(std::max(std::acos(light.cos_outer) - std::acos(light.cos_inner), 0.0f))
+                        : -1.0f};
+}
+
+}  // namespace
+
+LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Surface> surfaces)
+    : area_lights_(scene, surfaces),
+      punctual_lights_(scene.punctual_lights),
+      environment_(scene.environment),
+      groups_(scene.emission_spectra.size()),
+      power_of_spectrum_(groups_.size()),
+      share_of_spectrum_(groups_.size()) {
+  // The power of every light.
+  std::vector<double> power;
+  std::vector<int> spectrum;
+  const auto add = [&](double p, int k) { power.push_back(p), spectrum.push_back(k); };
+  for (const AreaLight& light : area_lights_.list()) add(light.power(), light.spectrum);
+  for (const PunctualLight& light : punctual_lights_) add(light.power(radius), light.emission_spectrum);
+  if (environment_)
+    add(environment_->flux_density() * kPiD * radius * radius, environment_->emission_spectrum);
+  places_.resize(power.size());
+
+  double bounded = 0.0, unbounded = 0.0;
+  std::vector<std::vector<std::uint32_t>> members(groups_.size());
+  for (std::uint32_t i = 0; i < power.size(); ++i) {
+    if (!(power[i] > 0.0)) continue;
+    const auto k = static_cast<std::size_t>(spectrum[i]);
+    members[k].push_back(i);
+    power_of_spectrum_[k] += power[i];
+    (is_unbounded(i) ? unbounded : bounded) += power[i];
+  }
+
+  // What they are chosen by.
+  const double factor = balance(bounded, unbounded), total = bounded + factor * unbounded;
+  for (std::uint32_t i = 0; i < power.size(); ++i) power[i] *= (is_unbounded(i) ? factor : 1.0) / total;
+  for (std::size_t k = 0; k < groups_.size(); ++k) {
+    if (members[k].empty()) continue;
+    ++lit_spectra_;
+    only_spectrum_ = static_cast<int>(k);
+    make_group(groups_[k], members[k], power);
+    for (const std::uint32_t i : members[k]) share_of_spectrum_[k] += static_cast<float>(power[i]);
+  }
+}
+
+bool LightSampler::is_unbounded(std::uint32_t light) const {
+  const std::size_t areas = area_lights_.list().size();
+  return light == environment_index() ||
+         (light >= areas && punctual_lights_[light - areas].kind == PunctualLight::Kind::directional);
+}
+
+LightBounds LightSampler::bounds_of(std::uint32_t light) const {
+  const std::size_t areas = area_lights_.list().size();
+  return light < areas ? photopic::bounds_of(area_lights_.list()[light])
+                       : photopic::bounds_of(punctual_lights_[light - areas]);
+}
+
+void LightSampler::make_group(Group& group, std::span<const std::uint32_t> members,
+                              std::span<const double> weight) {
+  const auto bounded = static_cast<std::size_t>(
+      std::ranges::count_if(members, [this](std::uint32_t i) { return !is_unbounded(i); }));
+  std::vector<double> entries;
+  const auto add_entry = [&](std::uint32_t light, double w) {
+    group.lights.push_back(light);
+    entries.push_back(w);
+    return static_cast<std::uint32_t>(entries.size() - 1);
+  };
+  if (bounded >= kTreeFrom) {
+    uses_normals_ = true;
+    const std::uint32_t entry = add_entry(kNoLight, 0.0);
+    std::vector<LightBounds> bounds;
+    for (const std::uint32_t i : members) {
+      if (is_unbounded(i)) continue;
+      places_[i] = {entry, static_cast<std::uint32_t>(bounds.size())};
+      group.tree_lights.push_back(i);
+      bounds.push_back(bounds_of(i));
+      bounds.back().power = static_cast<float>(weight[i]);
+      entries[entry] += weight[i];
+    }
+    group.tree = LightTree(bounds);
+  }
+  for (const std::uint32_t i : members)
+    if (group.tree.empty() || is_unbounded(i)) places_[i] = {add_entry(i, weight[i]), 0};
+  group.table = AliasTable(entries);
+}
+
+void LightSampler::spectrum_probabilities(std::span<float> brightness) const {
+  float total = 0.0f;
+  for (std::size_t k = 0; k < brightness.size(); ++k) total += brightness[k] *= share_of_spectrum_[k];
+  if (total > 0.0f && total < std::numeric_limits<float>::infinity()) {
+    for (float& b : brightness) b /= total;
+  } else if (total != 0.0f) {  // not a number: it shall be seen in the result
+    std::ranges::copy(share_of_spectrum_, brightness.begin());
+  }
+}
+
+std::optional<LightSample> LightSampler::sample(const LightReference& at, std::span<const float> spectra,
+                                                double u_choice, Sample2d u) const {
+  // The spectrum.
+  auto k = static_cast<std::size_t>(only_spectrum_);
+  float probability = 1.0f;
+  if (!spectra.empty()) {
+    for (k = 0; k < spectra.size() && u_choice >= spectra[k]; ++k) u_choice -= spectra[k];
+    if (k == spectra.size()) return {};
+    probability = spectra[k];
+    u_choice = std::min(u_choice / probability, 1.0 - 0x1p-53);
+  }
+
+  // The light.
+  const Group& group = groups_[k];
+  const std::uint32_t entry = group.table.sample(u_choice);
+  probability *= group.table.probability(entry);
+  std::uint32_t light = group.lights[entry];
+  if (light == kNoLight) {
+    const LightTree::Choice choice = group.tree.choose(at, u_choice);
+    if (choice.light == kNoLight) return {};
+    light = group.tree_lights[choice.light];
+    probability *= choice.probability;
+  }
+
+  std::optional<LightSample> s = sample_light(light, at.position, u);
+  if (s) s->pdf *= probability;
+  return s;
+}
+
+std::optional<LightSample> LightSampler::sample_light(std::uint32_t light, Vec3f from, Sample2d u) const {
+  const std::size_t areas = area_lights_.list().size();
+  if (light < areas) return area_lights_.list()[light].sample(from, u);
+  if (light < environment_index()) return punctual_lights_[light - areas].sample(from);
+  const Environment::Sample way = environment_->sample(u);
+  if (!(way.pdf > 0.0f)) return {};
+  LightSample s{};
+  s.direction = way.direction;
+  s.distance = std::numeric_limits<float>::infinity();
+  s.pdf = way.pdf;
+  s.radiance = 1.0f;
+  s.spectrum = environment_->emission_spectrum;
+  s.environment = true;
+  return s;
+}
+
+float LightSampler::choice_probability(const LightReference& at, std::span<const float> spectra, int spectrum,
+                                       std::uint32_t light) const {
+  const auto k = static_cast<std::size_t>(spectrum);
+  const Group& group = groups_[k];
+  const Place& place = places_[light];
+  float probability = group.table.probability(place.entry);
+  if (!spectra.empty()) probability *= spectra[k];
+  if (group.lights[place.entry] == kNoLight) probability *= group.tree.probability(at, place.leaf);
+  return probability;
+}
+
+float LightSampler::environment_pdf(const LightReference& at, std::span<const float> spectra,
+                                    Vec3f direction) const {
+  const float probability =
+      choice_probability(at, spectra, environment_->emission_spectrum, environment_index());
+  return probability > 0.0f ? probability * environment_->pdf(direction) : 0.0f;
+}
+
+float LightSampler::pdf(const LightReference& at, std::span<const float> spectra, std::uint32_t shape,
+                        std::uint32_t triangle, float distance) const {
+  const std::uint32_t i = area_lights_.light_of(shape, triangle);
+  if (i == kNoLight) return 0.0f;
+  const AreaLight& light = area_lights_.list()[i];
+  const float probability = choice_probability(at, spectra, light.spectrum, i);
+  return probability > 0.0f ? probability * light.pdf(at.position, distance) : 0.0f;
+}
+
+}  // namespace photopic

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/lights/alias_table.h"
+#include "core/lights/area_light.h"
+#include "core/lights/light_tree.h"
+
+namespace photopic {
+
+/// Chooses lights for next-event estimation: first an emission spectrum, by what its lights may add to the
+/// path's wavelengths; then a light that has it, by power, or by the light tree where they are many; then a
+/// direction to that light.
+class LightSampler {
+ public:
+  /// @param radius of a sphere about the scene: what directional lights and the environment light [m]
+  /// @param surfaces of the scene's materials; where there are none, nothing varies over them
+  explicit LightSampler(const Scene& scene, double radius = 1.0, std::span<const Surface> surfaces = {});
+
+  bool empty() const { return lit_spectra_ == 0; }
+
+  /// Whether lights differ in spectrum, so that the functions below want the probabilities of each. With one
+  /// spectrum alone they are given an empty list.
+  bool several_spectra() const { return lit_spectra_ > 1; }
+
+  /// Whether the choice depends on the normal of the LightReference.
+  bool uses_normals() const { return uses_normals_; }
+
+  /// Turns the brightness of each emission spectrum on its way to a path's result (its values at the path's
+  /// wavelengths times throughput and observer, up to a common factor) into the probability of choosing it.
+  void spectrum_probabilities(std::span<float> brightness) const;
+
+  /// Nothing where the light chosen does not reach.
+  /// @param spectra of spectrum_probabilities(), or empty @param u_choice in [0, 1), of 32 bits or more
+  std::optional<LightSample> sample(const LightReference& at, std::span<const float> spectra, double u_choice,
+                                    Sample2d u) const;
+
+  /// The density with which sample() gives a direction that ends at a glowing triangle [1/sr].
+  /// @param distance to the hit [m]
+  float pdf(const LightReference& at, std::span<const float> spectra, std::uint32_t shape,
+            std::uint32_t triangle, float distance) const;
+
+  /// The density with which sample() gives a direction that leaves the scene, for the environment [1/sr].
+  float environment_pdf(const LightReference& at, std::span<const float> spectra, Vec3f direction) const;
+
+  /// Luminous flux of all lights with each emission spectrum [lm].
+  const std::vector<double>& power_of_spectrum() const { return power_of_spectrum_; }
+
+ private:
+  /// The lights of one spectrum: choices between single lights, one of which may stand for a tree of them.
+  struct Group {
+    AliasTable table;
+    std::vector<std::uint32_t> lights;  ///< of each entry of the table; kNoLight: the tree
+    LightTree tree;
+    std::vector<std::uint32_t> tree_lights;
+  };
+  /// Where a light stands in its group.
+  struct Place {
+    std::uint32_t entry = 0;  ///< of the table
+    std::uint32_t leaf = 0;   ///< of the tree, when that is the entry
+  };
+
+  void make_group(Group& group, std::span<const std::uint32_t> members, std::span<const double> weight);
+  LightBounds bounds_of(std::uint32_t light) const;
+  bool is_unbounded(std::uint32_t light) const;
+  std::optional<LightSample> sample_light(std::uint32_t light, Vec3f from, Sample2d u) const;
+  std::uint32_t environment_index() const {
+    return static_cast<std::uint32_t>(area_lights_.list().size() + punctual_lights_.size());
+  }
+  float choice_probability(const LightReference& at, std::span<const float> spectra, int spectrum,
+                           std::uint32_t light) const;
+
+  /// Lights are numbered through: area lights, punctual lights, the environment.
+  AreaLights area_lights_;
+  std::vector<PunctualLight> punctual_lights_;
+  std::shared_ptr<const Environment> environment_;
+  std::vector<Group> groups_;  ///< of each emission spectrum
+  std::vector<Place> places_;  ///< of each light
+  std::vector<double> power_of_spectrum_;
+  std::vector<float> share_of_spectrum_;
+  int lit_spectra_ = 0;
+  int only_spectrum_ = 0;  ///< where there is but one
+  bool uses_normals_ = false;
+};
+
+}  // namespace photopic

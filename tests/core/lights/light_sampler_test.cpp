@@ -1,0 +1,157 @@
+#include "core/lights/light_sampler.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+
+#include "core/sample_sequence.h"
+#include "support/standard_scenes.h"
+#include "support/statistics.h"
+
+namespace photopic {
+namespace {
+
+using namespace test;
+
+constexpr double kPiD = std::numbers::pi;
+
+/// Three lamps: 1 m² of 2 cd/m², 6 m² of 1 cd/m² on both sides, 0.5 m² of 8 cd/m²; powers 2 : 12 : 4.
+SceneBuilder three_lamps(bool one_spectrum) {
+  SceneBuilder b;
+  Material lamps[3];
+  const int spectrum = b.emission(d65());
+  const float luminances[3] = {2, 1, 8};
+  for (int i = 0; i < 3; ++i) {
+    lamps[i] = diffuse(ConstantSpectrum{0.0});
+    lamps[i].emission_spectrum = one_spectrum || i != 1 ? spectrum : b.emission(fl11());
+    lamps[i].emission_luminance = luminances[i];
+    lamps[i].double_sided = i == 1;
+  }
+  b.floor({0, 0, 0}, 0.5, 0.5, b.material(lamps[0]));
+  b.floor({0, 0, 1}, 1.5, 1.0, b.material(lamps[1]));
+  b.ceiling({0, 0, 2}, 0.25, 0.5, b.material(lamps[2]));
+  b.floor({0, 0, 3}, 1, 1, b.material(diffuse(ConstantSpectrum{0.5})));
+  return b;
+}
+
+/// From a place that all of them shine at.
+constexpr Vec3f kPlace{0.3f, 0.2f, 1.5f};
+
+TEST(LightSampler, ChoosesByPower) {
+  const LightSampler lights(three_lamps(true).build());
+  EXPECT_FALSE(lights.several_spectra());
+  constexpr int kSamples = 100000;
+  std::vector<double> observed(3);
+  const std::vector<double> expected{kSamples * 2 / 18.0, kSamples * 12 / 18.0, kSamples * 4 / 18.0};
+  for (std::uint32_t i = 0; i < kSamples; ++i) {
+    const SampleStream stream(Sequence::independent, 8, 0, i);
+    const auto s = lights.sample({kPlace, {}}, {}, stream.get_1d_fine(0), stream.get_2d(1));
+    ASSERT_TRUE(s);
+    ++observed[s->triangle / 2];
+  }
+  EXPECT_GT(chi_square_p_value(observed, expected), 1e-3);
+}
+
+/// With the probabilities of spectra given, they are kept, and within a spectrum the powers.
+TEST(LightSampler, ChoosesSpectraAsTold) {
+  const LightSampler lights(three_lamps(false).build());
+  ASSERT_TRUE(lights.several_spectra());
+  std::vector<float> spectra{0.5f, 3.0f};  // times powers 6 and 12
+  lights.spectrum_probabilities(spectra);
+  EXPECT_NEAR(spectra[0], 3.0 / 39.0, 1e-6);
+  EXPECT_NEAR(spectra[1], 36.0 / 39.0, 1e-6);
+  constexpr int kSamples = 100000;
+  std::vector<double> observed(3);
+  const std::vector<double> expected{kSamples / 39.0, kSamples * 36 / 39.0, kSamples * 2 / 39.0};
+  for (std::uint32_t i = 0; i < kSamples; ++i) {
+    const SampleStream stream(Sequence::independent, 8, 0, i);
+    const auto s = lights.sample({kPlace, {}}, spectra, stream.get_1d_fine(0), stream.get_2d(1));
+    ASSERT_TRUE(s);
+    EXPECT_EQ(s->spectrum, s->triangle / 2 == 1 ? 1 : 0);
+    ++observed[s->triangle / 2];
+  }
+  EXPECT_GT(chi_square_p_value(observed, expected), 1e-3);
+}
+
+TEST(LightSampler, DarkSpectraAndThoseThatAreNoNumbers) {
+  const LightSampler lights(three_lamps(false).build());
+  std::vector<float> dark{0.0f, 0.0f};
+  lights.spectrum_probabilities(dark);
+  EXPECT_EQ(dark, (std::vector<float>{0.0f, 0.0f}));
+  EXPECT_FALSE(lights.sample({kPlace, {}}, dark, 0.3, {0.5f, 0.5f}));
+  std::vector<float> odd{std::numeric_limits<float>::quiet_NaN(), 1.0f};
+  lights.spectrum_probabilities(odd);
+  EXPECT_NEAR(odd[0], 1.0 / 3.0, 1e-6);
+  EXPECT_NEAR(odd[1], 2.0 / 3.0, 1e-6);
+}
+
+/// A scene of 200 small lamps of two spectra and a few large ones: chosen by the tree.
+SceneBuilder many_lamps() {
+  SceneBuilder b = three_lamps(false);
+  Material lamp = diffuse(ConstantSpectrum{0.0});
+  for (int i = 0; i < 200; ++i) {
+    lamp.emission_spectrum = i % 2;
+    lamp.emission_luminance = 1.0f + static_cast<float>(i % 13);
+    const Vec3d p{0.37 * (i % 20) - 3.5, 0.41 * (i / 20) - 2.0, i % 3 ? 2.5 : -0.5};
+    if (i % 3)
+      b.ceiling(p, 0.05, 0.04, b.material(lamp));
+    else
+      b.floor(p, 0.05, 0.04, b.material(lamp));
+  }
+  return b;
+}
+
+/// The density that a sample has is the one that is found for a ray which hits its point; and their sum over
+/// directions is 1: the mean of Σ over lamps of solid angle × density.
+TEST(LightSampler, DensitiesAreFoundAgain) {
+  for (const SceneBuilder& b : {three_lamps(false), many_lamps()}) {
+    const Scene scene = b.build();
+    const LightSampler lights(scene);
+    std::vector<float> spectra{0.7f, 0.2f};
+    lights.spectrum_probabilities(spectra);
+    for (std::uint32_t k = 0; k < 50; ++k) {
+      const SampleStream place(Sequence::independent, 3, 0, k);
+      const LightReference at{{place.get_1d(0) * 2 - 1, place.get_1d(1) * 2 - 1, place.get_1d(2) * 2},
+                              {0, 0, k % 2 ? 1.0f : 0.0f}};
+      for (std::uint32_t i = 0; i < 100; ++i) {
+        const SampleStream stream(Sequence::independent, 8, k, i);
+        const auto s = lights.sample(at, spectra, stream.get_1d_fine(0), stream.get_2d(1));
+        if (!s) continue;
+        EXPECT_NEAR(lights.pdf(at, spectra, s->triangle / 2, s->triangle, s->distance), s->pdf,
+                    1e-3f * s->pdf);
+      }
+    }
+  }
+}
+
+TEST(LightSampler, PowerOfSpectra) {
+  SceneBuilder b = three_lamps(false);
+  Scene scene = b.build();
+  using Kind = PunctualLight::Kind;
+  scene.punctual_lights = {{.kind = Kind::point, .intensity = 3.0f, .emission_spectrum = 0},
+                           {.kind = Kind::directional, .intensity = 0.5f, .emission_spectrum = 1}};
+  const LightSampler lights(scene, 2.0);
+  ASSERT_EQ(lights.power_of_spectrum().size(), 2u);
+  EXPECT_NEAR(lights.power_of_spectrum()[0], kPiD * 6.0 + 4 * kPiD * 3.0, 1e-4);
+  EXPECT_NEAR(lights.power_of_spectrum()[1], kPiD * 12.0 + kPiD * 4.0 * 0.5, 1e-4);
+}
+
+TEST(LightSampler, DarkAndDegenerateLampsAreNotChosen) {
+  SceneBuilder b;
+  b.floor({0, 0, 0}, 1, 1, b.lamp(d65(), 0.0));
+  b.triangle({0, 0, 1}, {1, 0, 1}, {2, 0, 1}, b.lamp(d65(), 5.0));
+  EXPECT_TRUE(LightSampler(b.build()).empty());
+  b.floor({0, 0, 2}, 1, 1, b.lamp(d65(), 1e-6));
+  const LightSampler lights(b.build());
+  ASSERT_FALSE(lights.empty());
+  EXPECT_FALSE(lights.several_spectra());
+  for (double u : {0.0, 0.5, 1.0 - 0x1p-32}) {
+    const auto s = lights.sample({{0, 0, 3}, {}}, {}, u, {0.3f, 0.6f});
+    ASSERT_TRUE(s);
+    EXPECT_GE(s->triangle, 3u);
+  }
+}
+
+}  // namespace
+}  // namespace photopic

@@ -1,0 +1,130 @@
+#include "core/lights/light_tree.h"
+
+#include <gtest/gtest.h>
+
+#include "core/sampling.h"
+#include "support/statistics.h"
+
+namespace photopic {
+namespace {
+
+using namespace test;
+
+float random(std::uint32_t seed, std::uint32_t i) {
+  return SampleStream(Sequence::independent, seed, 0, i).get_1d(0);
+}
+
+Vec3f random_point(std::uint32_t seed, std::uint32_t i) {
+  return {random(seed, 3 * i) * 4 - 2, random(seed, 3 * i + 1) * 4 - 2, random(seed, 3 * i + 2) * 4 - 2};
+}
+
+/// Small surfaces, spots and points strewn over a room; two of them at one place.
+std::vector<LightBounds> strewn(std::uint32_t count) {
+  std::vector<LightBounds> lights;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Vec3f p = random_point(1, i == 1 ? 0 : i), axis = normalize(random_point(2, i));
+    LightBounds b{.low = p, .high = p + Vec3f{0.1f, 0.05f, 0.0f}, .axis = axis};
+    b.power = 0.001f + random(3, i);
+    b.two_sided = i % 5 == 0;
+    if (i % 7 == 0) b.cos_o = -1.0f, b.cos_e = -1.0f, b.high = p;  // a point
+    if (i % 7 == 1) b.cos_e = 0.8f, b.high = p;                    // a spot
+    lights.push_back(b);
+  }
+  return lights;
+}
+
+TEST(LightTree, ProbabilitiesSumToOneAtMost) {
+  for (std::uint32_t count : {1u, 2u, 3u, 50u, 1000u}) {
+    const LightTree tree(strewn(count));
+    for (std::uint32_t k = 0; k < 40; ++k) {
+      const LightReference at{random_point(9, k), k % 2 ? normalize(random_point(10, k)) : Vec3f{}};
+      double total = 0.0;
+      for (std::uint32_t i = 0; i < count; ++i) total += tree.probability(at, i);
+      // Less where a branch turns out to hold nothing that shines there: half the strewn lights look away.
+      EXPECT_LT(total, 1.0 + 1e-4) << count;
+      if (count >= 50 && k % 2 == 0) {
+        EXPECT_GT(total, 0.3) << count;
+      }
+    }
+  }
+}
+
+TEST(LightTree, ChoicesFollowTheProbabilities) {
+  constexpr std::uint32_t kLights = 200, kSamples = 100000;
+  const LightTree tree(strewn(kLights));
+  for (std::uint32_t k = 0; k < 6; ++k) {
+    const LightReference at{random_point(9, k), k % 2 ? normalize(random_point(10, k)) : Vec3f{}};
+    std::vector<double> observed(kLights + 1), expected;
+    double total = 0.0;
+    for (std::uint32_t i = 0; i < kLights; ++i) {
+      expected.push_back(kSamples * double{tree.probability(at, i)});
+      total += expected.back();
+    }
+    expected.push_back(std::max(kSamples - total, 1e-9));
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+      const auto choice = tree.choose(at, SampleStream(Sequence::independent, 4, k, i).get_1d_fine(0));
+      if (choice.light != kNoLight) {
+        EXPECT_NEAR(choice.probability, tree.probability(at, choice.light),
+                    1e-5f * choice.probability + 1e-9f);
+      }
+      ++observed[choice.light == kNoLight ? kLights : choice.light];
+    }
+    EXPECT_GT(chi_square_p_value(observed, expected), 1e-3) << k;
+  }
+}
+
+/// A light that shines on a surface is never left out: its share is at least a little.
+TEST(LightTree, LightsThatReachAreChosen) {
+  const std::vector<LightBounds> lights = strewn(300);
+  const LightTree tree(lights);
+  for (std::uint32_t k = 0; k < 100; ++k) {
+    const LightReference at{random_point(9, k), normalize(random_point(10, k))};
+    for (std::uint32_t i = 0; i < 300; ++i) {
+      const Vec3f to_light = lights[i].middle() - at.position, w = normalize(to_light);
+      const float cos_light = -dot(lights[i].axis, w);
+      const bool lit = lights[i].cos_o == -1.0f || cos_light > lights[i].cos_e + 0.01f ||
+                       (lights[i].two_sided && -cos_light > lights[i].cos_e + 0.01f);
+      if (lit && dot(at.normal, w) > 0.01f) {
+        EXPECT_GT(tree.probability(at, i), 0.0f) << k << " " << i;
+      }
+    }
+  }
+}
+
+/// Near lights win over strong ones far away, and those that look away lose.
+TEST(LightTree, NearAndFacingLightsAreFavoured) {
+  std::vector<LightBounds> lights;
+  for (int i = 0; i < 100; ++i) {
+    const Vec3f p{static_cast<float>(i), 0, 2};
+    lights.push_back({.low = p, .high = p, .axis = {0, 0, i % 2 ? 1.0f : -1.0f}, .power = 1.0f});
+  }
+  const LightTree tree(lights);
+  const LightReference at{{20.0f, 0, 0}, {0, 0, 1}};
+  EXPECT_GT(tree.probability(at, 20), 0.2f);
+  EXPECT_EQ(tree.probability(at, 21), 0.0f);
+  EXPECT_LT(tree.probability(at, 90), 0.01f);
+}
+
+TEST(LightTree, ManyLightsAtOnePlace) {
+  std::vector<LightBounds> lights(1000, {.axis = {0, 0, 1}, .cos_o = -1.0f, .cos_e = -1.0f, .power = 0.5f});
+  const LightTree tree(lights);
+  EXPECT_NEAR(tree.probability({{1, 2, 3}, {}}, 77), 1e-3f, 1e-6f);
+  EXPECT_NEAR(tree.probability({{0, 0, 0}, {}}, 77), 1e-3f, 1e-6f);  // even from inside
+}
+
+/// The union of two cones holds both.
+TEST(LightTree, UnionsHoldBoth) {
+  for (std::uint32_t k = 0; k < 500; ++k) {
+    const LightBounds a{.axis = normalize(random_point(20, k)), .cos_o = random(21, k) * 2 - 1, .power = 1};
+    const LightBounds b{.axis = normalize(random_point(22, k)), .cos_o = random(23, k) * 2 - 1, .power = 1};
+    const LightBounds both = unite(a, b);
+    const double angle = std::acos(both.cos_o);
+    for (const LightBounds& part : {a, b}) {
+      const double between = std::acos(std::clamp(dot(part.axis, both.axis), -1.0f, 1.0f));
+      EXPECT_LE(std::min(between + std::acos(part.cos_o), 3.14159), angle + 2e-3) << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace photopic

@@ -1,0 +1,328 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "integrator/integrator.h"
+#include "spectral/color_difference.h"
+#include "support/render_checks.h"
+
+namespace photopic {
+namespace {
+
+using namespace test;
+
+using Texels = std::vector<std::uint8_t>;
+
+/// An image of as many rows as columns.
+Texture square_texture(int size, int channels, Texels texels) {
+  return {.image = std::make_shared<TextureImage>(TextureImage{"", size, size, channels, std::move(texels)}),
+          .nearest = true,
+          .srgb = true};
+}
+
+Material textured(Material material, const std::function<void(MaterialTextures&)>& set) {
+  MaterialTextures textures;
+  set(textures);
+  material.textures = std::make_shared<MaterialTextures>(textures);
+  return material;
+}
+
+/// Gives every quad the whole image, upright as seen from its front.
+Scene unwrapped(const SceneBuilder& builder) {
+  Scene scene = builder.build();
+  constexpr Vec2f kCorners[4] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+  for (std::size_t i = 0; i < scene.geometry.positions.size(); ++i)
+    scene.geometry.uvs[0].push_back(kCorners[i % 4]);
+  return scene;
+}
+
+Film film_of(const Scene& scene, int spp, std::uint32_t seed = 1) {
+  return render_finite(PreparedScene(scene), spp, 12, seed);
+}
+
+constexpr double kLuminance = 3.0;
+
+/// A box that emits evenly from all its walls and reflects nothing.
+SceneBuilder furnace(const Spectrum& spectrum) {
+  SceneBuilder b;
+  b.box({-2, -2, -2}, {2, 2, 2}, b.lamp(spectrum, kLuminance), true);
+  return b;
+}
+
+/// A square of side 1 at z = 0 facing up, seen from above by a camera that it just fills, the image's top at
+/// the top.
+void add_square(SceneBuilder& b, const Material& material, int resolution) {
+  b.floor({0, 0, 0}, 0.5, 0.5, b.material(material));
+  b.camera({0, 0, 1.5}, {0, 0, 0}, 2 * std::atan(0.5 / 1.5) * 180 / std::numbers::pi, resolution, resolution);
+}
+
+double delta_e(Xyz a, Xyz b) {
+  const Lab p = xyz_to_lab(a, d65_white()), q = xyz_to_lab(b, d65_white());
+  return std::hypot(p.l - q.l, p.a - q.a, p.b - q.b);
+}
+
+Xyz texel_xyz(const Texels& rgb, std::size_t i) {
+  const auto channel = [&](std::size_t c) { return srgb_decode(rgb[3 * i + c] / 255.0); };
+  return linear_srgb_to_xyz({channel(0), channel(1), channel(2)});
+}
+
+const Texels kColors{255, 255, 255, 0,   0,  0,   128, 128, 128, 200, 30,  40, 20,  160, 60, 30,
+                     60,  190, 230, 200, 20, 120, 30,  140, 250, 128, 64,  64, 128, 250, 12, 14,
+                     18,  240, 220, 210, 90, 70,  50,  180, 220, 140, 255, 40, 160, 60,  90, 80};
+
+/// Lit by even daylight from everywhere, a textured square shows its texels' colours.
+TEST(Textures, ColoursAreReproduced) {
+  SceneBuilder b = furnace(d65());
+  add_square(b,
+             textured(diffuse(ConstantSpectrum{1.0}),
+                      [](MaterialTextures& t) { t.base_color = square_texture(4, 3, kColors); }),
+             4);
+  const PreparedScene scene(unwrapped(b));
+  const RenderResult r =
+      render(scene, IlluminantWavelengths{16, base_density(scene_emission(scene))}, {.spp = 512});
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x) {
+      const auto i = static_cast<std::size_t>(4 * y + x);
+      const std::vector<Estimate> e = block_estimates(r.film, x, y, x + 1, y + 1);
+      const Xyz seen = Xyz{e[0].mean, e[1].mean, e[2].mean} * (1.0 / kLuminance);
+      EXPECT_LT(delta_e(seen, texel_xyz(kColors, i)), 1.5) << "texel " << i;
+    }
+}
+
+/// The same colours as an emissive texture and as an unlit material, which a lamp does not light.
+TEST(Textures, EmissionShowsItsColours) {
+  for (bool unlit : {false, true}) {
+    SceneBuilder b;
+    Material m = textured(diffuse(ConstantSpectrum{0.0}),
+                          [](MaterialTextures& t) { t.emissive = square_texture(4, 3, kColors); });
+    m.emission_spectrum = b.emission(d65());
+    m.emission_luminance = 2.0f;
+    m.unlit = unlit;
+    add_square(b, m, 4);
+    const PreparedScene scene(unwrapped(b));
+    const RenderResult r =
+        render(scene, IlluminantWavelengths{16, base_density(scene_emission(scene))}, {.spp = 512});
+    for (int i = 0; i < 16; ++i) {
+      const std::vector<Estimate> e = block_estimates(r.film, i % 4, i / 4, i % 4 + 1, i / 4 + 1);
+      const Xyz seen = Xyz{e[0].mean, e[1].mean, e[2].mean} * 0.5;
+      EXPECT_LT(delta_e(seen, texel_xyz(kColors, static_cast<std::size_t>(i))), 1.5) << "texel " << i;
+    }
+  }
+}
+
+/// Of a measured lamp the texture changes the luminance alone: FL11 through a green texel is FL11.
+TEST(Textures, MeasuredEmissionKeepsItsSpectrum) {
+  const auto image = [](bool textured_lamp) {
+    SceneBuilder b;
+    Material m = diffuse(ConstantSpectrum{0.0});
+    if (textured_lamp)
+      m = textured(m, [](MaterialTextures& t) { t.emissive = square_texture(1, 3, {0, 255, 0}); });
+    m.emission_spectrum = b.emission(fl11());
+    m.emission_luminance = textured_lamp ? 1.0f : 0.7152f;
+    m.emission_is_measured = true;
+    add_square(b, m, 4);
+    return film_of(unwrapped(b), 256);
+  };
+  expect_same_image(image(true), image(false), 1, "measured");
+}
+
+/// A black sheet that covers 30 % takes 30 % of the light behind it; a white one in a furnace is not seen.
+TEST(Alpha, BlendIsTheShareOfRays) {
+  SceneBuilder b = furnace(d65());
+  Material black = diffuse(ConstantSpectrum{0.0});
+  black.alpha_mode = AlphaMode::blend;
+  black.alpha = 0.3f;
+  add_square(b, black, 8);
+  expect_luminance(film_of(b.build(), 1024), 0.7 * kLuminance, "black sheet");
+
+  SceneBuilder w = furnace(d65());
+  Material white = black;
+  white.base_color = ConstantSpectrum{1.0};
+  add_square(w, white, 8);
+  expect_luminance(film_of(w.build(), 512), kLuminance, "white sheet");
+}
+
+/// Two such sheets let 0.7² through: each decides for itself. The shadow behind them is as deep.
+TEST(Alpha, ShadowsOfSheets) {
+  const auto lit = [](int sheets, int spp) {
+    SceneBuilder b;
+    b.ceiling({0, 0, 1}, 0.2, 0.2, b.lamp(d65(), 10.0));
+    b.floor({0, 0, 0}, 0.05, 0.05, b.material(diffuse(ConstantSpectrum{0.8})));
+    Material black = diffuse(ConstantSpectrum{0.0});
+    black.alpha_mode = AlphaMode::blend;
+    black.alpha = 0.3f;
+    const std::uint32_t sheet = b.material(black);
+    for (int i = 0; i < sheets; ++i) b.floor({0, 0, 0.5 + 0.1 * i}, 1, 1, sheet);
+    b.camera({0.0, -0.3, 0.1}, {0, 0, 0}, 6, 8, 8);
+    return film_of(b.build(), spp);
+  };
+  const double open = luminance(lit(0, 2048)).mean;
+  expect_luminance(lit(1, 2048), 0.7 * open, "one sheet", 3e-3);
+  expect_luminance(lit(2, 4096), 0.49 * open, "two sheets", 3e-3);
+}
+
+/// A mask is all or nothing: of a chess board just its black squares are there.
+TEST(Alpha, MaskedChessBoard) {
+  Texels board;
+  for (int i = 0; i < 64; ++i)
+    board.insert(board.end(), {255, static_cast<std::uint8_t>((i / 8 + i) % 2 ? 140 : 110)});
+  SceneBuilder b = furnace(d65());
+  Material m = textured(diffuse(ConstantSpectrum{0.0}),
+                        [&](MaterialTextures& t) { t.base_color = square_texture(8, 2, board); });
+  m.base_factor = {0, 0, 0};
+  m.alpha_mode = AlphaMode::mask;
+  add_square(b, m, 8);
+  const Film film = film_of(unwrapped(b), 64);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      const Estimate e = block_estimates(film, x, y, x + 1, y + 1)[1];
+      EXPECT_NEAR(e.mean, (x + y) % 2 ? 0.0 : kLuminance, 5 * e.error + 1e-3) << x << ' ' << y;
+    }
+}
+
+/// A lamp that is half transparent gives half the light, found either way.
+TEST(Alpha, LampsThatCoverInPart) {
+  const auto lit = [](bool half) {
+    SceneBuilder b;
+    Material lamp = diffuse(ConstantSpectrum{0.0});
+    lamp.emission_spectrum = b.emission(d65());
+    lamp.emission_luminance = half ? 10.0f : 5.0f;
+    lamp.alpha_mode = half ? AlphaMode::blend : AlphaMode::opaque;
+    lamp.alpha = 0.5f;
+    b.ceiling({0, 0, 0.5}, 0.5, 0.5, b.material(lamp));
+    b.floor({0, 0, 0}, 0.5, 0.5, b.material(plastic(ConstantSpectrum{0.5}, 0.3f)));
+    b.camera({0.0, -0.8, 0.3}, {0, 0, 0}, 20, 8, 8);
+    return film_of(b.build(), 1024, half ? 1 : 2);
+  };
+  expect_same_image(lit(true), lit(false), 1, "half a lamp");
+}
+
+/// A normal map of one constant tilt shades a small square as a square that is tilted so.
+class NormalMap : public testing::Test {
+ protected:
+  /// Lit by a lamp that stands where each tilt sees another part of its light. @param tilt of the normal, in
+  /// x (the image's right) and y (its top)
+  static Scene scene(Vec2f tilt, bool mapped) {
+    SceneBuilder b;
+    b.triangle({2, 0.5, 2.0}, {1.6, 1.2, 1.8}, {1.2, 0.4, 2.6}, b.lamp(d65(), 50.0, true));
+    Material m = diffuse(ConstantSpectrum{0.8});
+    const double length = std::sqrt(1.0 + tilt.x * tilt.x + tilt.y * tilt.y);
+    const auto code = [&](double v) {
+      return static_cast<std::uint16_t>(std::lround((v / length + 1) * 32767.5));
+    };
+    if (mapped)
+      m = textured(m, [&](MaterialTextures& t) {
+        t.normal.image = std::make_shared<TextureImage>(
+            TextureImage{"", 1, 1, 3, std::vector<std::uint16_t>{code(tilt.x), code(tilt.y), code(1)}});
+      });
+    const auto at = [&](double x, double y) { return Vec3d{x, y, mapped ? 0.0 : -tilt.x * x - tilt.y * y}; };
+    const double h = 0.01;
+    b.quad(at(-h, -h), at(h, -h), at(h, h), at(-h, h), b.material(m));
+    b.camera({0, 0, 1}, {0, 0, 0}, 0.5, 8, 8);
+    Scene s = b.build();
+    constexpr Vec2f kCorners[4] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    s.geometry.uvs[0].assign(3, {});
+    s.geometry.uvs[0].insert(s.geometry.uvs[0].end(), kCorners, kCorners + 4);
+    return s;
+  }
+};
+
+TEST_F(NormalMap, ConstantTiltIsATiltedPlane) {
+  for (const Vec2f tilt : {Vec2f{0, 0}, {0.5f, 0}, {-0.5f, 0}, {0, 0.5f}, {0, -0.5f}, {0.3f, -0.6f}}) {
+    const double expected = luminance(film_of(scene(tilt, false), 512)).mean;
+    expect_luminance(film_of(scene(tilt, true), 512), expected,
+                     std::to_string(tilt.x) + " " + std::to_string(tilt.y), 0.01);
+  }
+}
+
+/// TANGENT is believed: turned by a quarter about the normal, it turns the tilt. Its w flips the bitangent.
+TEST_F(NormalMap, GivenTangents) {
+  Scene turned = scene({0.4f, 0.2f}, true);
+  turned.geometry.tangents.assign(turned.geometry.positions.size(), {0, 1, 0, 1});
+  expect_luminance(film_of(turned, 512), luminance(film_of(scene({-0.2f, 0.4f}, false), 512)).mean, "turned",
+                   0.01);
+  turned.geometry.tangents.assign(turned.geometry.positions.size(), {1, 0, 0, -1});
+  expect_luminance(film_of(turned, 512), luminance(film_of(scene({0.4f, -0.2f}, false), 512)).mean, "flipped",
+                   0.01);
+}
+
+/// The scale works on x and y before the normal is made unit.
+TEST_F(NormalMap, Scale) {
+  Scene scaled = scene({0.25f, 0.1f}, true);
+  for (Material& m : scaled.materials)
+    if (m.textures)
+      m = textured(m, [&, old = *m.textures](MaterialTextures& t) { t = old, t.normal_scale = 2.0f; });
+  expect_luminance(film_of(scaled, 512), luminance(film_of(scene({0.5f, 0.2f}, false), 512)).mean, "scale",
+                   0.01);
+}
+
+/// Everything at once: the path tracer and the oracle see the same.
+TEST(Textures, OracleAgrees) {
+  SceneBuilder b = lamp_room(d65(), 8);
+  Texels noise, alpha;
+  std::uint32_t state = 1;
+  const auto next = [&] { return static_cast<std::uint8_t>((state = state * 1664525u + 1013904223u) >> 24); };
+  for (int i = 0; i < 8 * 8 * 4; ++i) noise.push_back(next());
+  const auto image = [&](bool srgb, bool linear_filter) {
+    Texture t = square_texture(8, 4, noise);
+    t.srgb = srgb;
+    t.nearest = !linear_filter;
+    return t;
+  };
+  Material leaf = textured(plastic(ConstantSpectrum{0.8}, 0.8f), [&](MaterialTextures& t) {
+    t.base_color = image(true, true);
+    t.metallic_roughness = image(false, true);
+    t.normal = image(false, false);
+    t.normal_scale = 0.4f;
+  });
+  leaf.metallic = 0.7f;
+  leaf.alpha_mode = AlphaMode::blend;
+  b.box({-0.6, -0.2, -0.8}, {0.0, 0.4, 0.0}, b.material(leaf));
+  Material glass = textured(thin_glass(1.5f, 0.3f), [&](MaterialTextures& t) {
+    t.transmission = image(false, true);
+    t.specular = image(false, true);
+    t.specular_color = image(true, true);
+  });
+  b.box({0.2, -0.4, -0.9}, {0.7, 0.3, -0.3}, b.material(glass));
+  Material sign = textured(diffuse(ConstantSpectrum{0.2}), [&](MaterialTextures& t) {
+    t.base_color = image(true, false);
+    t.emissive = image(true, false);
+  });
+  sign.emission_spectrum = b.emission(d65());
+  sign.emission_luminance = 20.0f;
+  sign.alpha_mode = AlphaMode::mask;
+  sign.double_sided = true;
+  b.quad({-0.5, 0.9, -0.5}, {0.5, 0.9, -0.5}, {0.5, 0.9, 0.5}, {-0.5, 0.9, 0.5}, b.material(sign));
+
+  const PreparedScene scene(unwrapped(b));
+  const IlluminantWavelengths sampler{4, base_density(scene_emission(scene))};
+  const auto options = [](int spp, std::uint32_t seed) {
+    return RenderOptions{.spp = spp, .sequence = Sequence::independent, .seed = seed, .max_depth = 6};
+  };
+  const RenderResult fast = render(scene, sampler, options(2048, 1)),
+                     slow = render_naive(scene, sampler, options(8192, 2));
+  EXPECT_EQ(fast.stats.non_finite + slow.stats.non_finite, 0u);
+  expect_same_image(fast.film, slow.film, 1, "textured room");
+}
+
+/// The hash that blends knows neither batch nor thread.
+TEST(Alpha, BatchesChangeNoBit) {
+  SceneBuilder b = furnace(d65());
+  Material m = diffuse(ConstantSpectrum{0.5});
+  m.alpha_mode = AlphaMode::blend;
+  m.alpha = 0.5f;
+  for (int i = 0; i < 4; ++i) b.floor({0, 0, 0.1 * i}, 0.5, 0.5, b.material(m));
+  b.camera({0, 0, 1.5}, {0, 0, 0}, 40, 16, 16);
+  const PreparedScene scene(b.build());
+  const IlluminantWavelengths sampler{4, base_density(scene_emission(scene))};
+  const auto first = image_estimates(render(scene, sampler, {.spp = 16, .batch_size = 1024}).film);
+  for (int batch : {1, 7, 100}) {
+    const auto other = image_estimates(render(scene, sampler, {.spp = 16, .batch_size = batch}).film);
+    for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].mean, other[i].mean) << batch;
+  }
+}
+
+}  // namespace
+}  // namespace photopic
