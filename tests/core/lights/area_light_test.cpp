@@ -34,7 +34,7 @@ struct Lamp {
       b.quad(corner, corner + edge1, corner + edge1 + edge2, corner + edge2, material);
     else
       b.triangle(corner, corner + edge1, corner + edge2, material);
-    return AreaLights(b.build());
+    return AreaLights(b.build(), {});
   }
 
   /// The solid angle of the part between fractions of the edges, from a point; of a triangle the half below
@@ -157,7 +157,7 @@ TEST(AreaLight, PairsOfTriangles) {
   b.triangle({0, 0, 2}, {1, 0, 2}, {2, 0, 2}, material);           // no area
   b.quad({0, 0, 3}, {1, 0, 3}, {1, 1, 3}, {0, 1, 3}, b.material(diffuse(ConstantSpectrum{0.5})));
   b.box({0, 0, 4}, {1, 1, 5}, material);
-  const AreaLights lights(b.build());
+  const AreaLights lights(b.build(), {});
   ASSERT_EQ(lights.list().size(), 9u);
   EXPECT_EQ(lights.light_of(0, 0), lights.light_of(0, 1));
   EXPECT_NE(lights.light_of(1, 2), lights.light_of(1, 3));
@@ -172,7 +172,7 @@ TEST(AreaLight, SamplesNameTheirTriangle) {
   SceneBuilder b;
   b.quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, b.lamp(d65(), 1.0));
   const Scene scene = b.build();
-  const AreaLights lights(scene);
+  const AreaLights lights(scene, {});
   for (const Vec3f from : {Vec3f{0.3f, 0.6f, 0.4f}, Vec3f{0.2f, 0.9f, 9.0f}})
     for (std::uint32_t i = 0; i < 200; ++i) {
       const auto s = lights.list()[0].sample(from, SampleStream(Sequence::sobol, 3, 0, i).get_2d(0));
@@ -186,7 +186,7 @@ TEST(AreaLight, SamplesNameTheirTriangle) {
 TEST(AreaLight, SidesOfALight) {
   SceneBuilder b;
   b.floor({0, 0, 0}, 1, 1, b.lamp(d65(), 1.0));
-  const AreaLights lights(b.build());
+  const AreaLights lights(b.build(), {});
   EXPECT_TRUE(lights.list()[0].sample({0, 0, 1}, {0.3f, 0.4f}));
   EXPECT_FALSE(lights.list()[0].sample({0, 0, -1}, {0.3f, 0.4f}));
   EXPECT_FALSE(lights.list()[0].sample({3, 0, 0}, {0.3f, 0.4f}));
