@@ -4,9 +4,9 @@
 #include <cmath>
 #include <memory>
 
+#include "command_line_lights.h"
 #include "command_line_options.h"
 #include "commands.h"
-#include "light_options.h"
 
 namespace photopic {
 namespace {

@@ -1,4 +1,4 @@
-#include "light_options.h"
+#include "command_line_lights.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
