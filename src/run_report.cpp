@@ -44,6 +44,7 @@ nlohmann::ordered_json run_json(const Run& run) {
   const auto& expected = run.stats.expected_delta_e;
   json["expected_mean_delta_e"] = expected ? nlohmann::ordered_json(*expected) : nlohmann::ordered_json();
   json["non_finite_samples"] = run.stats.non_finite;
+  json["split_samples"] = run.stats.split_paths;
   json["optimize_seconds"] = run.optimize_seconds;
   json["mean_xyz"] = {run.mean.x, run.mean.y, run.mean.z};
   json["mean_xyz_standard_error"] = nullptr;

@@ -60,6 +60,7 @@ struct ThinFilm {
   float phase = 0.0f;        ///< 2π·thickness/λ
 
   float reflectance(float cos_i) const {
+    cos_i = std::max(cos_i, 1e-4f);  // at grazing incidence 0/0 where the film is no film
     const float sin2 = sqr(outside) * std::max(0.0f, 1.0f - sqr(cos_i));
     const Complex e0{sqr(outside)}, e1{sqr(film)}, e2 = base * base;
     // n cos θ in each medium, from Snell's law.

@@ -2,6 +2,7 @@
 
 #include "core/fresnel.h"
 #include "core/microfacet.h"
+#include "core/table_position.h"
 
 namespace photopic {
 namespace {
@@ -10,16 +11,6 @@ using Factors = GgxAlbedo::Factors;
 
 Factors lerp(Factors a, Factors b, float t) {
   return {a.scale + (b.scale - a.scale) * t, a.bias + (b.bias - a.bias) * t};
-}
-
-struct Position {
-  int cell;
-  float t;
-};
-Position locate(float x, int size) {
-  const float scaled = std::clamp(x, 0.0f, 1.0f) * static_cast<float>(size - 1);
-  const int cell = std::min(static_cast<int>(scaled), size - 2);
-  return {cell, scaled - static_cast<float>(cell)};
 }
 
 // Visible-normal sampling leaves F·G2/G1 to average.

@@ -8,6 +8,10 @@ namespace photopic {
 /// Below this α a microsurface is taken for a perfect mirror.
 inline constexpr float kSmoothAlpha = 1e-3f;
 
+/// Refraction through a rough surface needs a half vector, which there is not without a change of index:
+/// below this ior light goes straight on.
+inline constexpr float kLeastRoughIor = 1.0001f;
+
 /// The isotropic GGX distribution of microfacet normals (Walter et al. 2007), with visible-normal sampling.
 /// All directions in the shading frame, unit length.
 struct Ggx {
@@ -44,6 +48,17 @@ struct Ggx {
 
 inline Vec3f reflect(Vec3f w, Vec3f m) {
   return m * (2.0f * dot(w, m)) - w;
+}
+
+/// @param eta η_t/η_i; no total reflection
+inline Vec3f refract(Vec3f w, Vec3f m, float eta) {
+  const float cos_i = dot(w, m), cos_t = safe_sqrt(1.0f - (1.0f - sqr(cos_i)) / sqr(eta));
+  return m * (cos_i / eta - cos_t) - w / eta;
+}
+
+/// dω_m/dω_i of refraction: Walter et al. 2007, equation 17. @param eta η_t/η_i
+inline float refraction_jacobian(Vec3f wo, Vec3f wi, Vec3f m, float eta) {
+  return std::abs(dot(wi, m)) / sqr(dot(wi, m) + dot(wo, m) / eta);
 }
 
 }  // namespace photopic

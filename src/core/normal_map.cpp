@@ -14,6 +14,10 @@ struct Tangent {
   float sign;
 };
 
+const Affinef* instance_of(const Geometry& geometry, const Hit& hit) {
+  return hit.instance == kNoInstance ? nullptr : &geometry.instances[hit.instance].to_world;
+}
+
 std::optional<Tangent> given_tangent(const Geometry& geometry, const Hit& hit) {
   if (geometry.tangents.empty()) return std::nullopt;
   const auto& [ia, ib, ic] = geometry.triangles[hit.triangle];
@@ -21,7 +25,9 @@ std::optional<Tangent> given_tangent(const Geometry& geometry, const Hit& hit) {
   const float w = 1.0f - hit.u - hit.v;
   const Vec3f t = Vec3f{a.x, a.y, a.z} * w + Vec3f{b.x, b.y, b.z} * hit.u + Vec3f{c.x, c.y, c.z} * hit.v;
   if (a.w == 0.0f || t == Vec3f{}) return std::nullopt;
-  return Tangent{t, a.w};
+  const Affinef* map = instance_of(geometry, hit);
+  if (!map) return Tangent{t, a.w};
+  return Tangent{map->vector(t), map->determinant() < 0.0f ? -a.w : a.w};
 }
 
 /// ∂p/∂u of the texture's coordinates.
@@ -34,8 +40,9 @@ std::optional<Tangent> texture_tangent(const Geometry& geometry, const Hit& hit,
   const Vec2f ab{b.x - a.x, b.y - a.y}, ac{c.x - a.x, c.y - a.y};
   const float determinant = ab.x * ac.y - ab.y * ac.x;
   if (determinant == 0.0f || !std::isfinite(determinant)) return std::nullopt;
-  const Vec3f p = geometry.positions[ia], edge1 = geometry.positions[ib] - p,
-              edge2 = geometry.positions[ic] - p;
+  const Vec3f p = geometry.positions[ia];
+  Vec3f edge1 = geometry.positions[ib] - p, edge2 = geometry.positions[ic] - p;
+  if (const Affinef* map = instance_of(geometry, hit)) edge1 = map->vector(edge1), edge2 = map->vector(edge2);
   const float orientation = determinant < 0.0f ? -1.0f : 1.0f;
   const Vec3f t = (edge1 * ac.y - edge2 * ab.y) * orientation;  // times |determinant|
   const Vec3f v = (edge2 * ab.x - edge1 * ac.x) * orientation;
@@ -63,6 +70,18 @@ Vec3f mapped_normal(const Geometry& geometry, const Hit& hit, const SurfacePoint
   if (!(squared > 0.0f) || dot(mapped, point.geometric_normal) <= 0.0f || dot(mapped, wo) * side <= 0.0f)
     return n;
   return mapped / std::sqrt(squared);
+}
+
+Frame grain_frame(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, const Frame& frame) {
+  auto tangent = given_tangent(geometry, hit);
+  if (!tangent) tangent = texture_tangent(geometry, hit, point.shading_normal, Texture{});
+  if (!tangent) return frame;
+  const Vec3f t = tangent->t - frame.n * dot(frame.n, tangent->t);
+  const float size = length(t);
+  if (!(size > 0.0f)) return frame;
+  // Seen from behind, the frame's normal is turned but the bitangent is not.
+  const float side = dot(frame.n, point.shading_normal) < 0.0f ? -tangent->sign : tangent->sign;
+  return {t / size, cross(frame.n, t) * (side / size), frame.n};
 }
 
 }  // namespace photopic

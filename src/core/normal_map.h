@@ -12,4 +12,8 @@ namespace photopic {
 Vec3f mapped_normal(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, Vec3f wo,
                     const MaterialTextures& textures);
 
+/// A frame whose s is that tangent and whose t is the bitangent, for surfaces with a grain; texture
+/// coordinates are TEXCOORD_0. Any frame about the normal where there is no tangent.
+Frame grain_frame(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, const Frame& frame);
+
 }  // namespace photopic

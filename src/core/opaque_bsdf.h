@@ -15,9 +15,10 @@ template <int N>
 class OpaqueBsdf {
  public:
   static constexpr bool kTwoSided = true;
+  static constexpr bool kLitFromBehind = false;
 
-  explicit OpaqueBsdf(const ShadingMaterial<N>& m)
-      : roughness_(m.roughness()), ggx_{sqr(roughness_)}, metallic_(m.opaque_metallic()) {
+  OpaqueBsdf(const ShadingMaterial<N>& m, Vec3f wo)
+      : wo_(wo), roughness_(m.roughness()), ggx_{sqr(roughness_)}, metallic_(m.opaque_metallic()) {
     const float ior = m.surface().ior, r0 = ior == 0.0f ? 1.0f : sqr((ior - 1.0f) / (ior + 1.0f));
     const float specular = m.specular();
     auto f0 = m.specular_color() * r0;
@@ -26,30 +27,29 @@ class OpaqueBsdf {
     const auto base = m.base_color();
     metal_ = {base, SampledSpectrum<N>(1.0f)};
     diffuse_ = base * (1.0f - metallic_);
+    look();
   }
 
-  BsdfValue<N> evaluate(Vec3f wo, Vec3f wi) const {
-    if (wi.z <= 0.0f || wo.z <= 0.0f) return {};
-    const View view = look(wo);
-    BsdfValue<N> value{base(view, wi), (1.0f - view.specular_probability) * cosine_hemisphere_pdf(wi.z)};
+  BsdfValue<N> evaluate(Vec3f wi) const {
+    if (wi.z <= 0.0f || wo_.z <= 0.0f) return {};
+    BsdfValue<N> value{base(wi), (1.0f - specular_probability_) * cosine_hemisphere_pdf(wi.z)};
     if (mirror()) return value;
-    const Vec3f m = normalize(wo + wi);
-    const float d = ggx_.d(m) / (4.0f * wo.z);
-    value.f_cos += fresnel(dot(wo, m)) * (d * ggx_.g2(wo, wi));
-    value.pdf += view.specular_probability * d * ggx_.g1(wo);
+    const Vec3f m = normalize(wo_ + wi);
+    const float d = ggx_.d(m) / (4.0f * wo_.z);
+    value.f_cos += fresnel(dot(wo_, m)) * (d * ggx_.g2(wo_, wi));
+    value.pdf += specular_probability_ * d * ggx_.g1(wo_);
     return value;
   }
 
-  std::optional<BsdfSample<N>> sample(Vec3f wo, float u_lobe, Sample2d u) const {
-    if (wo.z <= 0.0f) return {};
-    const View view = look(wo);
-    const bool specular = u_lobe < view.specular_probability;
+  std::optional<BsdfSample<N>> sample(float u_lobe, Sample2d u) const {
+    if (wo_.z <= 0.0f) return {};
+    const bool specular = u_lobe < specular_probability_;
     if (specular && mirror()) {
-      const Vec3f wi{-wo.x, -wo.y, wo.z};
-      return BsdfSample<N>{wi, fresnel(wo.z) / view.specular_probability, 0.0f, true};
+      const Vec3f wi{-wo_.x, -wo_.y, wo_.z};
+      return BsdfSample<N>{wi, fresnel(wo_.z) / specular_probability_, 0.0f, true};
     }
-    const Vec3f wi = specular ? reflect(wo, ggx_.sample_visible(wo, u)) : sample_cosine_hemisphere(u);
-    const BsdfValue<N> value = evaluate(wo, wi);
+    const Vec3f wi = specular ? reflect(wo_, ggx_.sample_visible(wo_, u)) : sample_cosine_hemisphere(u);
+    const BsdfValue<N> value = evaluate(wi);
     if (value.pdf == 0.0f) return {};
     return BsdfSample<N>{wi, value.f_cos / value.pdf, value.pdf, false};
   }
@@ -64,13 +64,6 @@ class OpaqueBsdf {
       const SampledSpectrum<N> one(1.0f);
       return average * average * e.total() / (one - average * (1.0f - e.total()));
     }
-  };
-
-  /// What depends on wo alone.
-  struct View {
-    float missing;               ///< 1 − E(wo), the share of further bounces
-    SampledSpectrum<N> base;     ///< transmitted into the base
-    float specular_probability;  ///< of choosing the GGX lobe
   };
 
   bool mirror() const { return ggx_.alpha < kSmoothAlpha; }
@@ -97,15 +90,15 @@ class OpaqueBsdf {
            dielectric_.further_bounces(average) * (1.0f - directional.total());
   }
 
-  View look(Vec3f wo) const {
-    const GgxAlbedo::Factors e = directional(wo.z), average_e = average();
-    View view;
-    view.missing = 1.0f - e.total();
-    view.base = transmitted(e, average_e);
+  /// What depends on wo alone.
+  void look() {
+    const GgxAlbedo::Factors e = directional(wo_.z);
+    average_ = average();
+    missing_ = 1.0f - e.total();
+    transmitted_ = transmitted(e, average_);
     const float specular = (metal_.albedo(e) * metallic_ + dielectric_.albedo(e) * (1.0f - metallic_)).sum();
-    const float rest = (diffuse_ * view.base + further(average_e) * view.missing).sum();
-    view.specular_probability = rest > 0.0f ? specular / (specular + rest) : 1.0f;
-    return view;
+    const float rest = (diffuse_ * transmitted_ + further(average_) * missing_).sum();
+    specular_probability_ = rest > 0.0f ? specular / (specular + rest) : 1.0f;
   }
 
   SampledSpectrum<N> further(GgxAlbedo::Factors average_e) const {
@@ -114,24 +107,29 @@ class OpaqueBsdf {
   }
 
   /// The diffuse base and the further bounces, both smooth; times cos θi.
-  SampledSpectrum<N> base(const View& view, Vec3f wi) const {
-    const GgxAlbedo::Factors e = directional(wi.z), average_e = average();
-    const SampledSpectrum<N> average_base = transmitted(average_e, average_e);
+  SampledSpectrum<N> base(Vec3f wi) const {
+    const GgxAlbedo::Factors e = directional(wi.z);
+    const SampledSpectrum<N> average_base = transmitted(average_, average_);
     SampledSpectrum<N> f{0.0f};
     for (int j = 0; j < N; ++j)
-      if (average_base[j] > 0.0f) f.v[j] = diffuse_[j] * view.base[j] / average_base[j];
-    f *= transmitted(e, average_e);
-    const float missing_average = 1.0f - average_e.total();
-    if (missing_average > 0.0f)
-      f += further(average_e) * (view.missing * (1.0f - e.total()) / missing_average);
+      if (average_base[j] > 0.0f) f.v[j] = diffuse_[j] * transmitted_[j] / average_base[j];
+    f *= transmitted(e, average_);
+    const float missing_average = 1.0f - average_.total();
+    if (missing_average > 0.0f) f += further(average_) * (missing_ * (1.0f - e.total()) / missing_average);
     return f * cosine_hemisphere_pdf(wi.z);
   }
 
+  Vec3f wo_;
   float roughness_;
   Ggx ggx_;
   float metallic_;
   Fresnel dielectric_, metal_;
   SampledSpectrum<N> diffuse_;
+
+  GgxAlbedo::Factors average_;      ///< of the single bounce's albedo
+  float missing_;                   ///< 1 − E(wo), the share of further bounces
+  SampledSpectrum<N> transmitted_;  ///< into the base, of what comes from wo
+  float specular_probability_;      ///< of choosing the GGX lobe
 };
 
 }  // namespace photopic

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "core/fresnel_albedo.h"
 #include "core/ggx_albedo.h"
+#include "core/sheen.h"
 #include "spectral/lamp_set.h"
 #include "spectral/rgb_light.h"
 
@@ -14,9 +16,15 @@ PreparedScene::PreparedScene(Scene source)
       accel(scene.geometry, surfaces),
       lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces) {
   // What is made when first asked for is made now, on nobody's clock.
-  const auto is_opaque = [](const Surface& s) { return s.opaque_kind == BsdfKind::opaque; };
   if (scene.environment) rgb_tints();
-  if (std::any_of(surfaces.begin(), surfaces.end(), is_opaque)) GgxAlbedo::table();
+  const auto is_rough = [](const Surface& s) { return s.opaque_kind != BsdfKind::diffuse || s.transmits; };
+  if (std::ranges::any_of(surfaces, is_rough)) GgxAlbedo::table();
+  for (const Surface& s : surfaces) {
+    if (!s.extensions) continue;
+    FresnelAlbedo::isotropic();
+    if (s.extensions->anisotropy > 0.0f) FresnelAlbedo::anisotropic();
+    if (s.extensions->has_sheen()) SheenAlbedo::table();
+  }
 }
 
 TabulatedSpectrum scene_emission(const PreparedScene& scene) {

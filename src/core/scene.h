@@ -11,6 +11,7 @@
 #include "core/camera.h"
 #include "core/lights/environment.h"
 #include "core/lights/punctual_light.h"
+#include "core/material_extensions.h"
 #include "core/math.h"
 #include "core/texture.h"
 #include "spectral/spectrum.h"
@@ -54,7 +55,8 @@ struct Material {
   bool thin_walled = true;                             ///< thicknessFactor 0: refraction is not seen
   Spectrum attenuation_color = ConstantSpectrum{1.0};  ///< transmittance over attenuation_distance
   float attenuation_distance = 0.0f;                   ///< [m]; 0: no absorption
-  bool double_sided = false;                           ///< single-sided surfaces emit from their front only
+  MaterialExtensions extensions = {};
+  bool double_sided = false;  ///< single-sided surfaces emit from their front only
 
   std::uint8_t uv_sets = 0;  ///< bit i: a texture of it reads TEXCOORD_i; the geometry stores no other
   bool needs_tangents =

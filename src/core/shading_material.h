@@ -52,7 +52,7 @@ class ShadingMaterial {
   /// glTF's mixes are linear in metallic and transmission, so one of the two BSDFs may stand for both, chosen
   /// with probability transmission·(1 − metallic) for glass. @param u in [0, 1)
   BsdfKind choose_kind(float u) const {
-    return surface_.transmits && u < glass_probability() ? BsdfKind::glass : surface_.opaque_kind;
+    return surface_.transmits && u < glass_probability() ? surface_.glass_kind : surface_.opaque_kind;
   }
 
   /// Factor on the surface's emission spectrum × luminance: of a texture, else 1.

@@ -1,5 +1,7 @@
 #include "core/surface.h"
 
+#include "core/microfacet.h"
+
 namespace photopic {
 namespace {
 
@@ -19,12 +21,48 @@ bool has_partial_alpha(const Material& m) {
          m.alpha < (m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 1.0f);
 }
 
+bool may_transmit(const Material& m) {
+  return m.transmission > 0.0f &&
+         (m.metallic < 1.0f || has_texture(m, &MaterialTextures::metallic_roughness));
+}
+
+BsdfKind opaque_kind_of(const Material& m) {
+  if (m.extensions.is_layered()) return BsdfKind::layered;
+  if (m.extensions.conductor) return BsdfKind::conductor;
+  return m.metallic == 0.0f && m.specular == 0.0f ? BsdfKind::diffuse : BsdfKind::opaque;
+}
+
+BsdfKind glass_kind_of(const Material& m) {
+  return m.extensions.is_spectral_glass() && m.ior != 0.0f ? BsdfKind::spectral_glass : BsdfKind::glass;
+}
+
+std::shared_ptr<const MaterialExtensions> extensions_of(const Material& m) {
+  return m.extensions.any() ? std::make_shared<const MaterialExtensions>(m.extensions) : nullptr;
+}
+
+GlassAlbedo::Range ior_range(const Material& m) {
+  if (!m.extensions.dispersion) return {m.ior, m.ior};
+  const auto at = [&](double lambda) {
+    return static_cast<float>(refractive_index(*m.extensions.dispersion, lambda));
+  };
+  return {std::max(at(kLambdaMax), kLeastRoughIor), std::max(at(kLambdaMin), kLeastRoughIor)};
+}
+
+/// Of rough solid glass alone; where there is no change of index, nothing scatters.
+std::shared_ptr<const GlassAlbedo> glass_albedo_of(const Material& m) {
+  if (!may_transmit(m) || m.thin_walled || sqr(m.roughness) < kSmoothAlpha ||
+      ior_range(m).high < kLeastRoughIor)
+    return nullptr;
+  const float least = has_texture(m, &MaterialTextures::metallic_roughness) ? 0.0f : m.roughness;
+  return std::make_shared<const GlassAlbedo>(ior_range(m), GlassAlbedo::Range{least, m.roughness});
+}
+
 }  // namespace
 
 Surface::Surface(const Material& m)
-    : opaque_kind(m.metallic == 0.0f && m.specular == 0.0f ? BsdfKind::diffuse : BsdfKind::opaque),
-      transmits(m.transmission > 0.0f &&
-                (m.metallic < 1.0f || has_texture(m, &MaterialTextures::metallic_roughness))),
+    : opaque_kind(opaque_kind_of(m)),
+      glass_kind(glass_kind_of(m)),
+      transmits(may_transmit(m)),
       emits(m.emission_spectrum >= 0 && m.emission_luminance > 0.0f),
       double_sided(m.double_sided),
       solid(!m.thin_walled),
@@ -49,6 +87,8 @@ Surface::Surface(const Material& m)
       ior(m.ior),
       attenuation_color(m.attenuation_color),
       attenuation_distance(m.attenuation_distance),
+      glass_albedo(glass_albedo_of(m)),
+      extensions(extensions_of(m)),
       emission_spectrum(m.emission_spectrum),
       emission_luminance(m.emission_luminance),
       emissive_factor(m.emissive_factor),
@@ -67,6 +107,21 @@ Vec3f Surface::emissive_rgb(const TrianglePoint& point) const {
   if (textures && textures->emissive) rgb = rgb * point.look_up(textures->emissive);
   if (unlit && has_vertex_colors) rgb = rgb * point.color();
   return rgb;
+}
+
+float mean_emission(const Surface& surface, const Geometry& geometry, std::uint32_t triangle) {
+  if (!surface.emission_varies && !surface.partly_covers) return 1.0f;
+  constexpr int kRows = 8;  // cuts the triangle into 64 alike, whose middles are looked at
+  float sum = 0.0f;
+  for (int i = 0; i < kRows; ++i)
+    for (int j = 0; j < 2 * (kRows - i) - 1; ++j) {
+      const float third = j % 2 == 0 ? 1.0f / 3 : 2.0f / 3;
+      const TrianglePoint point(geometry, triangle, (static_cast<float>(i) + third) / kRows,
+                                (static_cast<float>(j / 2) + third) / kRows);
+      const float tint = surface.emission_varies ? luminance(surface.emissive_rgb(point)) : 1.0f;
+      sum += tint * surface.coverage(point);
+    }
+  return sum / (kRows * kRows);
 }
 
 float Surface::coverage(const TrianglePoint& point) const {

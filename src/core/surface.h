@@ -1,15 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
+#include "core/glass_albedo.h"
 #include "core/sample_spectrum.h"
 #include "core/triangle_point.h"
 
 namespace photopic {
 
 /// Which BSDF shades a hit.
-enum class BsdfKind : std::uint8_t { diffuse, opaque, glass };
-inline constexpr int kBsdfKinds = 3;
+enum class BsdfKind : std::uint8_t { diffuse, opaque, conductor, layered, glass, spectral_glass };
+inline constexpr int kBsdfKinds = 6;
 
 /// A material compiled for shading; ShadingMaterial is what it comes to at a hit. What does not vary over the
 /// surface is told by flags, so that it costs nothing.
@@ -17,6 +19,7 @@ struct Surface {
   explicit Surface(const Material& material);
 
   BsdfKind opaque_kind;  ///< of what does not transmit
+  BsdfKind glass_kind;   ///< of what does
   bool transmits;        ///< somewhere on it glass may be chosen
   bool emits;
   bool double_sided;
@@ -40,6 +43,8 @@ struct Surface {
   float ior;
   Spectrum attenuation_color;
   float attenuation_distance;
+  std::shared_ptr<const GlassAlbedo> glass_albedo;       ///< null where no rough glass refracts
+  std::shared_ptr<const MaterialExtensions> extensions;  ///< null where the material has none
 
   int emission_spectrum;
   float emission_luminance;
@@ -64,6 +69,11 @@ struct Surface {
     return t;
   }
 };
+
+/// The mean over a triangle of the luminance of its emission's texture and coverage, relative to
+/// emission_luminance: the triangle's power is that times this. From 64 points, so a texture's fine detail is
+/// estimated; above zero unless all of them are dark. 1 where nothing varies.
+float mean_emission(const Surface& surface, const Geometry& geometry, std::uint32_t triangle);
 
 /// Y of linear sRGB: IEC 61966-2-1.
 inline float luminance(Vec3f rgb) {

@@ -2,8 +2,11 @@
 
 #include <limits>
 
+#include "core/conductor_bsdf.h"
 #include "core/glass_bsdf.h"
+#include "core/layered_bsdf.h"
 #include "core/opaque_bsdf.h"
+#include "core/spectral_glass_bsdf.h"
 #include "integrator/vertex.h"
 #include "spectral/rgb_light.h"
 
@@ -16,13 +19,14 @@ struct Step {
   Vec3f origin, direction;
   SampledSpectrum<N> weight;
   std::int32_t medium;
+  bool split;
 };
 
 template <int N, typename Bsdf>
 std::optional<Step<N>> step(const Vertex<N, Bsdf>& vertex, float u_lobe, Sample2d u, std::int32_t medium) {
   const auto s = vertex.sample(u_lobe, u);
   if (!s) return {};
-  return Step<N>{vertex.point.leave(s->wi), s->wi, s->weight, vertex.medium_towards(s->wi, medium)};
+  return Step<N>{vertex.point.leave(s->wi), s->wi, s->weight, vertex.medium_towards(s->wi, medium), s->split};
 }
 
 }  // namespace
@@ -86,17 +90,27 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     std::optional<Step<N>> next;
     switch (material.choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)))) {
       case BsdfKind::diffuse:
-        next = step(Vertex<N, DiffuseBsdf<N>>(scene_, hit, wo, lambda), u_lobe, u, medium);
+        next = step(Vertex<N, DiffuseBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
         break;
       case BsdfKind::opaque:
-        next = step(Vertex<N, OpaqueBsdf<N>>(scene_, hit, wo, lambda), u_lobe, u, medium);
+        next = step(Vertex<N, OpaqueBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
+        break;
+      case BsdfKind::conductor:
+        next = step(Vertex<N, ConductorBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
+        break;
+      case BsdfKind::layered:
+        next = step(Vertex<N, LayeredBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
         break;
       case BsdfKind::glass:
-        next = step(Vertex<N, GlassBsdf<N>>(scene_, hit, wo, lambda), u_lobe, u, medium);
+        next = step(Vertex<N, GlassBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
+        break;
+      case BsdfKind::spectral_glass:
+        next = step(Vertex<N, SpectralGlassBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
         break;
     }
     if (!next) break;
     throughput *= next->weight;
+    stats_.split_paths += next->split;
     if (throughput.is_black()) break;
     ray = {next->origin, next->direction};
     medium = next->medium;

@@ -2,8 +2,11 @@
 
 #include <limits>
 
+#include "core/conductor_bsdf.h"
 #include "core/glass_bsdf.h"
+#include "core/layered_bsdf.h"
 #include "core/opaque_bsdf.h"
+#include "core/spectral_glass_bsdf.h"
 
 namespace photopic {
 namespace {
@@ -33,7 +36,10 @@ void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
     batch_.shadowed.clear();
     shade<DiffuseBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::diffuse)], depth);
     shade<OpaqueBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::opaque)], depth);
+    shade<ConductorBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::conductor)], depth);
+    shade<LayeredBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::layered)], depth);
     shade<GlassBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::glass)], depth);
+    shade<SpectralGlassBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::spectral_glass)], depth);
     trace_shadow_rays();
     roulette(depth);
   }
@@ -161,7 +167,7 @@ template <typename Bsdf>
 void PathTracer<N>::shade(std::span<const std::uint32_t> slots, int depth) {
   for (const std::uint32_t slot : slots) {
     const Vertex<N, Bsdf> vertex(scene_, batch_.hits[slot], -batch_.rays.direction[slot],
-                                 batch_.wavelengths[slot].lambda);
+                                 batch_.wavelengths[slot].lambda, batch_.throughput[slot]);
     sample_light(slot, depth, vertex);
     sample_direction(slot, depth, vertex);
   }
@@ -238,6 +244,7 @@ void PathTracer<N>::sample_direction(std::uint32_t slot, int depth, const Vertex
                                     stream.get_2d(bounce_dimension(depth, kBsdfDirection)));
   if (!sample) return;
   batch_.throughput[slot] *= sample->weight;
+  stats_.split_paths += sample->split;
   if (batch_.throughput[slot].is_black()) return;
   batch_.rays.origin.set(slot, vertex.point.leave(sample->wi));
   batch_.rays.direction.set(slot, sample->wi);

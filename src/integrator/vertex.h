@@ -18,22 +18,38 @@ inline SurfacePoint mapped_point(const Geometry& geometry, const Hit& hit, Vec3f
 /// space.
 template <int N, typename Bsdf>
 struct Vertex {
-  Vertex(const PreparedScene& scene, const Hit& hit, Vec3f wo_world, SampledSpectrum<N> lambda)
+  /// @param throughput of the path so far: a BSDF that must choose a wavelength goes by it
+  Vertex(const PreparedScene& scene, const Hit& hit, Vec3f wo_world, SampledSpectrum<N> lambda,
+         SampledSpectrum<N> throughput)
       : material(scene.scene.geometry.shapes[hit.shape].material),
         surface(scene.surfaces[material]),
         point(mapped_point(scene.scene.geometry, hit, wo_world, surface)),
-        frame(shading_frame(point, wo_world, Bsdf::kTwoSided)),
+        frame(make_frame(scene.scene.geometry, hit, wo_world)),
         wo(frame.to_local(wo_world)),
-        bsdf(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit})) {}
+        bsdf(make_bsdf(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}), wo, throughput)) {}
+
+  Frame make_frame(const Geometry& geometry, const Hit& hit, Vec3f wo_world) const {
+    const Frame any = shading_frame(point, wo_world, Bsdf::kTwoSided);
+    if constexpr (requires { Bsdf::kHasGrain; })
+      if (surface.extensions->anisotropy > 0.0f) return grain_frame(geometry, hit, point, any);
+    return any;
+  }
+
+  static Bsdf make_bsdf(const ShadingMaterial<N>& material, Vec3f wo, SampledSpectrum<N> throughput) {
+    if constexpr (std::is_constructible_v<Bsdf, ShadingMaterial<N>, Vec3f, SampledSpectrum<N>>)
+      return Bsdf(material, wo, throughput);
+    else
+      return Bsdf(material, wo);
+  }
 
   BsdfValue<N> evaluate(Vec3f wi) const {
     const Vec3f local = frame.to_local(wi);
     if (!sides_agree(wi, local.z)) return {};
-    return bsdf.evaluate(wo, local);
+    return bsdf.evaluate(local);
   }
 
   std::optional<BsdfSample<N>> sample(float u_lobe, Sample2d u) const {
-    auto s = bsdf.sample(wo, u_lobe, u);
+    auto s = bsdf.sample(u_lobe, u);
     if (!s) return {};
     const float cos_theta = s->wi.z;
     s->wi = frame.to_world(s->wi);
@@ -48,7 +64,7 @@ struct Vertex {
   }
 
   /// The side that light counts from, for choosing lights: the normal's, or (zero) both.
-  Vec3f lit_side() const { return Bsdf::kTwoSided ? frame.n : Vec3f{}; }
+  Vec3f lit_side() const { return Bsdf::kLitFromBehind ? Vec3f{} : frame.n; }
 
   /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.
   std::int32_t medium_towards(Vec3f w, std::int32_t current) const {

@@ -203,6 +203,56 @@ TEST_F(GltfTest, MaterialFactors) {
   EXPECT_EQ(m.emission_spectrum, -1);
 }
 
+TEST_F(GltfTest, MaterialExtensions) {
+  SquareFile file;
+  file.materials =
+      R"([{"extensions": {"KHR_materials_clearcoat": {"clearcoatFactor": 0.5, "clearcoatRoughnessFactor": 0.25},
+    "KHR_materials_sheen": {"sheenColorFactor": [0.25, 0.25, 0.25], "sheenRoughnessFactor": 0.75},
+    "KHR_materials_anisotropy": {"anisotropyStrength": 0.5, "anisotropyRotation": 2},
+    "KHR_materials_iridescence": {"iridescenceFactor": 1, "iridescenceIor": 1.5, "iridescenceThicknessMaximum": 600},
+    "KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 0.125, "diffuseTransmissionColorFactor": [0.5, 0.5, 0.5]}}},
+    {"extensions": {"KHR_materials_ior": {"ior": 1.6}, "KHR_materials_dispersion": {"dispersion": 0.5},
+    "KHR_materials_transmission": {"transmissionFactor": 1}}}, {}])";
+  const Scene scene = load(file.str());
+  const MaterialExtensions& x = scene.materials.at(0).extensions;
+  EXPECT_EQ(x.clearcoat, 0.5f);
+  EXPECT_EQ(x.clearcoat_roughness, 0.25f);
+  EXPECT_EQ(std::get<ConstantSpectrum>(x.sheen_color).value, 0.25);
+  EXPECT_EQ(x.sheen_roughness, 0.75f);
+  EXPECT_EQ(x.anisotropy, 0.5f);
+  EXPECT_EQ(x.anisotropy_rotation, 2.0f);
+  EXPECT_EQ(x.iridescence, 1.0f);
+  EXPECT_EQ(x.iridescence_ior, 1.5f);
+  EXPECT_EQ(x.iridescence_thickness, 600.0f);
+  EXPECT_EQ(x.diffuse_transmission, 0.125f);
+  EXPECT_EQ(std::get<ConstantSpectrum>(x.diffuse_transmission_color).value, 0.5);
+  EXPECT_TRUE(scene.materials.at(0).needs_tangents);
+  const DielectricIndex glass = scene.materials.at(1).extensions.dispersion.value();
+  EXPECT_NEAR(abbe_number(glass), 40.0, 0.05);
+  EXPECT_NEAR(refractive_index(glass, 587.56), 1.6, 1e-4);
+  EXPECT_FALSE(scene.materials.at(2).extensions.any());
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST_F(GltfTest, MetalsAndGlassesByExtras) {
+  SquareFile file;
+  file.materials =
+      R"([{"extras": {"conductor": "Au"}}, {"extras": {"glass": "SF10"}}, {"extras": {"glass": {"cauchy": [1.5, 0.004]}}}])";
+  const Scene scene = load(file.str());
+  EXPECT_TRUE(scene.materials.at(0).extensions.conductor);
+  const Material& glass = scene.materials.at(1);
+  EXPECT_NEAR(glass.ior, 1.72825, 1e-5);
+  EXPECT_EQ(glass.transmission, 1.0f);
+  EXPECT_FALSE(glass.thin_walled);
+  EXPECT_NEAR(refractive_index(scene.materials.at(2).extensions.dispersion.value(), 500.0), 1.516, 1e-9);
+  for (const char* wrong :
+       {R"({"conductor": "gold"})", R"({"conductor": 1})", R"({"glass": "K9"})", R"({"glass": {"x": 1}})",
+        R"({"glass": {"cauchy": [1.5]}})", R"({"glass": {"cauchy": [0.5, "x"]}})"}) {
+    file.materials = fmt::format("[{{\"extras\": {}}}]", wrong);
+    EXPECT_NE(refusal(file.str()).find("#/materials/0/extras/"), std::string::npos) << wrong;
+  }
+}
+
 TEST_F(GltfTest, ReflectanceSpectraByExtras) {
   SquareFile file;
   write("paint.csv", "400,0.1\n700,0.4\n");
@@ -276,8 +326,6 @@ TEST_F(GltfTest, DarkLampsAreRefused) {
   black.primitive += R"(, "material": 0)";
   black.materials = R"([{"extras": {"emission_spectrum": "cie:A"}}])";
   EXPECT_NE(refusal(black.str()).find("#/materials/0"), std::string::npos);
-}
-
 }
 
 TEST_F(GltfTest, CornellBox) {

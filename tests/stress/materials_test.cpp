@@ -16,8 +16,14 @@ SceneBuilder furnace(const Material& m) {
   return b;
 }
 
-/// Opaque white stays white in a furnace through the whole range of roughness, the change to a mirror
-/// included.
+/// Rough glass in a furnace of 3 cd/m²; noisy where the index is high, as radiance grows with its square.
+void expect_clear(const Film& film, const std::string& what) {
+  const Estimate e = luminance(film);
+  EXPECT_NEAR(e.mean, 3.0, 4.5 * e.error + 0.02) << what << ", error " << e.error;
+}
+
+/// White and clear things stay unseen in a furnace through the whole range of roughness, the change to a
+/// mirror included.
 TEST(Materials, RoughnessInFineSteps) {
   std::vector<float> steps{1e-6f, 1e-3f, 0.01f, 0.03f, 0.0316f, 0.0317f, 0.032f};
   for (int i = 0; i <= 40; ++i) steps.push_back(static_cast<float>(i) / 40);
@@ -27,11 +33,9 @@ TEST(Materials, RoughnessInFineSteps) {
     expect_luminance(render_finite(furnace(plastic(ConstantSpectrum{1.0}, roughness)), 60), 3.0,
                      "plastic " + std::to_string(roughness), 0.006);
     for (bool thin : {false, true}) {
-      const Film film =
-          render_finite(furnace(thin ? thin_glass(1.5f, roughness) : solid_glass(1.5f, roughness)), 60, 60);
-      const Estimate e = luminance(film);
-      EXPECT_LT(e.mean, 3.0 + 4.5 * e.error) << roughness;
-      EXPECT_GT(e.mean, roughness < 0.05f ? 3.0 * 0.995 - 4.5 * e.error : 0.0) << roughness;
+      const Material m = thin ? thin_glass(1.5f, roughness) : solid_glass(1.5f, roughness);
+      expect_clear(render_finite(furnace(m), 60, 200),
+                   (thin ? "pane " : "glass ") + std::to_string(roughness));
     }
   }
 }
@@ -45,8 +49,8 @@ TEST(Materials, IndicesOfRefraction) {
     expect_luminance(render_finite(furnace(plastic(ConstantSpectrum{1.0}, 0.5f, ior)), 60), 3.0,
                      "plastic " + std::to_string(ior), 0.006);
     for (float roughness : {0.04f, 0.2f, 1.0f}) {
-      const Estimate e = luminance(render_finite(furnace(solid_glass(ior, roughness)), 60, 60));
-      EXPECT_LT(e.mean, 3.0 * 1.001 + 4.5 * e.error) << ior << ' ' << roughness;
+      expect_clear(render_finite(furnace(solid_glass(ior, roughness)), 60, 200),
+                   "rough glass " + std::to_string(ior) + " " + std::to_string(roughness));
     }
   }
 }

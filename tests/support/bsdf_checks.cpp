@@ -1,10 +1,14 @@
 #include "support/bsdf_checks.h"
 
 #include <array>
+#include <memory>
 #include <numbers>
 
+#include "core/conductor_bsdf.h"
 #include "core/glass_bsdf.h"
+#include "core/layered_bsdf.h"
 #include "core/opaque_bsdf.h"
+#include "core/spectral_glass_bsdf.h"
 
 namespace photopic::test {
 namespace {
@@ -19,19 +23,43 @@ Value operator*(Value a, double s) {
 }
 
 template <typename Bsdf>
-LocalBsdf wrap(const Material& material) {
+Bsdf make_bsdf(const Surface& surface, Vec3f wo) {
   SampledSpectrum<4> lambda;
   for (int j = 0; j < 4; ++j) lambda.set(j, 450.0f + 50.0f * static_cast<float>(j));
-  const Surface surface(material);
-  const Bsdf bsdf(ShadingMaterial<4>(surface, lambda));
+  const ShadingMaterial<4> material(surface, lambda);
+  if constexpr (std::is_constructible_v<Bsdf, ShadingMaterial<4>, Vec3f, SampledSpectrum<4>>)
+    return Bsdf(material, wo, SampledSpectrum<4>(1.0f));
+  else
+    return Bsdf(material, wo);
+}
+
+/// Made anew only where wo changes.
+template <typename Bsdf>
+class BsdfMaker {
+ public:
+  explicit BsdfMaker(const Material& material) : surface_(material) {}
+  const Bsdf& operator()(Vec3f wo) {
+    if (!bsdf_ || !(wo == wo_)) bsdf_.emplace(make_bsdf<Bsdf>(surface_, wo)), wo_ = wo;
+    return *bsdf_;
+  }
+
+ private:
+  Surface surface_;
+  Vec3f wo_;
+  std::optional<Bsdf> bsdf_;
+};
+
+template <typename Bsdf>
+LocalBsdf wrap(const Material& material, int lane) {
+  const auto make = std::make_shared<BsdfMaker<Bsdf>>(material);
   return {[=](Vec3f wo, Vec3f wi) -> Value {
-            const auto v = bsdf.evaluate(wo, wi);
-            return {v.f_cos[0], v.pdf};
+            const auto v = (*make)(wo).evaluate(wi);
+            return {v.f_cos[lane], v.pdf};
           },
           [=](Vec3f wo, float u_lobe, Sample2d u) -> std::optional<LocalBsdf::Sample> {
-            const auto s = bsdf.sample(wo, u_lobe, u);
+            const auto s = (*make)(wo).sample(u_lobe, u);
             if (!s) return {};
-            return LocalBsdf::Sample{s->wi, s->weight[0], s->pdf, s->delta, s->eta};
+            return LocalBsdf::Sample{s->wi, s->weight[lane], s->pdf, s->delta, s->eta};
           }};
 }
 
@@ -72,11 +100,23 @@ double cube(double x) {
 
 }  // namespace
 
-LocalBsdf local_bsdf(const Material& material) {
+LocalBsdf local_bsdf(const Material& material, int lane) {
   const Surface surface(material);
-  if (surface.transmits) return wrap<GlassBsdf<4>>(material);
-  if (surface.opaque_kind == BsdfKind::opaque) return wrap<OpaqueBsdf<4>>(material);
-  return wrap<DiffuseBsdf<4>>(material);
+  switch (surface.transmits ? surface.glass_kind : surface.opaque_kind) {
+    case BsdfKind::diffuse:
+      return wrap<DiffuseBsdf<4>>(material, lane);
+    case BsdfKind::opaque:
+      return wrap<OpaqueBsdf<4>>(material, lane);
+    case BsdfKind::glass:
+      return wrap<GlassBsdf<4>>(material, lane);
+    case BsdfKind::spectral_glass:
+      return wrap<SpectralGlassBsdf<4>>(material, lane);
+    case BsdfKind::conductor:
+      return wrap<ConductorBsdf<4>>(material, lane);
+    case BsdfKind::layered:
+      return wrap<LayeredBsdf<4>>(material, lane);
+  }
+  return {};
 }
 
 Vec3f direction(double cos_theta) {

@@ -24,8 +24,9 @@ struct LocalBsdf {
   std::function<std::optional<Sample>(Vec3f wo, float u_lobe, Sample2d u)> sample;
 };
 
-/// The BSDF that shades the material: glass where it transmits, else diffuse or opaque.
-LocalBsdf local_bsdf(const Material& material);
+/// The BSDF that shades the material (glass where it transmits), of a path of four wavelengths (450, 500, 550
+/// and 600 nm), seen at one of them.
+LocalBsdf local_bsdf(const Material& material, int lane = 0);
 
 /// A direction of the given cos θ, its azimuth arbitrary but fixed.
 Vec3f direction(double cos_theta);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <optional>
 
 #include "error.h"
 
@@ -22,11 +21,10 @@ Rgb color_of(const tinygltf::Light& light) {
   return {light.color[0], light.color[1], light.color[2]};
 }
 
-std::optional<PunctualLight::Kind> kind_of(const tinygltf::Light& light) {
+/// @param light whose type is known
+PunctualLight::Kind kind_of(const tinygltf::Light& light) {
   if (light.type == "point") return PunctualLight::Kind::point;
-  if (light.type == "spot") return PunctualLight::Kind::spot;
-  if (light.type == "directional") return PunctualLight::Kind::directional;
-  return std::nullopt;
+  return light.type == "spot" ? PunctualLight::Kind::spot : PunctualLight::Kind::directional;
 }
 
 /// Lights shine along their node's −z, whatever its scale.
@@ -56,17 +54,12 @@ PunctualLight place(const GltfDocument& document, const NodeInstance& instance, 
 
 void load_gltf_lights(const GltfDocument& document, const std::vector<NodeInstance>& instances,
                       const GltfOptions& options, GltfEmissions& emissions, Scene& scene) {
-  std::size_t unknown = 0, ranged = 0;
+  std::size_t ranged = 0;
   for (const NodeInstance& instance : instances) {
     const int index = light_of(document.model.nodes[instance.node]);
     if (index < 0 || !instance.visible) continue;
     const tinygltf::Light& source = document.model.lights[index];
     const std::string pointer = fmt::format("/extensions/KHR_lights_punctual/lights/{}", index);
-    const std::optional<PunctualLight::Kind> kind = kind_of(source);
-    if (!kind) {
-      ++unknown;
-      continue;
-    }
     const double luminance = linear_srgb_to_xyz(color_of(source)).y * source.intensity;
     const auto intensity = static_cast<float>(luminance * options.punctual_scale);
     if (!(intensity > 0.0f)) {
@@ -79,11 +72,9 @@ void load_gltf_lights(const GltfDocument& document, const std::vector<NodeInstan
     const int spectrum =
         emissions.add({source.name, "light", pointer, "color", color_of(source), &source.extras}).spectrum;
     scene.punctual_lights.push_back(
-        place(document, instance, {.kind = *kind, .intensity = intensity, .emission_spectrum = spectrum},
+        place(document, instance, {.kind = kind_of(source), .intensity = intensity, .emission_spectrum = spectrum},
               source, scene.origin));
   }
-  if (unknown > 0)
-    scene.warnings.push_back(fmt::format("lights of an unknown type, not rendered: {}", unknown));
   if (ranged > 0)
     scene.warnings.push_back(fmt::format("lights with a range, rendered as if without: {}", ranged));
 }

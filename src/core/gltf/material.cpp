@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/gltf/material_extensions.h"
 #include "core/gltf/texture.h"
 #include "error.h"
 #include "spectral/rgb_upsampling.h"
@@ -12,28 +13,6 @@
 
 namespace photopic {
 namespace {
-
-/// An extension's members, their types and ranges already checked; absent ones have glTF's defaults.
-class Extension {
- public:
-  Extension(const tinygltf::Material& material, const char* name) {
-    const auto found = material.extensions.find(name);
-    if (found != material.extensions.end()) value_ = &found->second;
-  }
-  explicit operator bool() const { return value_ != nullptr; }
-  bool has(const char* key) const { return value_ && value_->Has(key); }
-  float number(const char* key, double otherwise) const {
-    return static_cast<float>(has(key) ? value_->Get(key).GetNumberAsDouble() : otherwise);
-  }
-  Rgb color(const char* key) const {
-    if (!has(key)) return {1, 1, 1};
-    const auto component = [&](int i) { return value_->Get(key).Get(i).GetNumberAsDouble(); };
-    return {component(0), component(1), component(2)};
-  }
-
- private:
-  const tinygltf::Value* value_ = nullptr;
-};
 
 std::vector<double> numbers(const GltfDocument& document, const std::string& pointer,
                             const tinygltf::Value& spectrum, const char* key) {
@@ -94,6 +73,7 @@ AlphaMode alpha_mode(const std::string& name) {
 /// Shown as it is: a lamp of its base colour, seen from both sides, that reflects nothing.
 void make_unlit(Material& material) {
   material.unlit = true;
+  material.extensions = {};
   material.base_color = ConstantSpectrum{0.0};
   material.metallic = material.specular = material.transmission = 0.0f;
   material.double_sided = true;
@@ -149,20 +129,27 @@ Material load_material(const GltfDocument& document, std::size_t index) {
   material.attenuation_color = reflectance_from_rgb(volume.color("attenuationColor"));
   material.attenuation_distance = volume.number("attenuationDistance", 0.0);
   if (!std::isfinite(material.attenuation_distance)) material.attenuation_distance = 0.0f;
+  load_material_extensions(document, index, material);
   material.double_sided = source.doubleSided;
   if (source.extensions.contains("KHR_materials_unlit")) make_unlit(material);
   return material;
 }
 
 void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& warnings) {
-  std::size_t bright_specular = 0;
+  std::size_t bright_specular = 0, unread = 0;
   for (const tinygltf::Material& m : document.model.materials) {
     const Rgb color = Extension(m, "KHR_materials_specular").color("specularColorFactor");
     if (std::max({color.r, color.g, color.b}) > 1.0) ++bright_specular;
+    if (has_unread_textures(m)) ++unread;
   }
-  if (bright_specular > 0)
-    warnings.push_back(
-        fmt::format("materials with a specularColorFactor above 1, cut to 1: {}", bright_specular));
+  const auto add = [&](std::size_t count, const char* text) {
+    if (count > 0) warnings.push_back(fmt::format("{}: {}", text, count));
+  };
+  add(bright_specular, "materials with a specularColorFactor above 1, cut to 1");
+  add(unread,
+      "materials with textures of clearcoat, sheen, anisotropy, iridescence or diffuse transmission, "
+      "rendered by "
+      "these extensions' factors alone");
 }
 
 }  // namespace

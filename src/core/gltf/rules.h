@@ -148,8 +148,14 @@ inline constexpr Member kDocument[] = {
 /// Extensions that a file may require: rendered, or without effect on what is rendered.
 inline constexpr auto kSupported = std::to_array<std::string_view>({
     "KHR_lights_punctual",
+    "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",
+    "KHR_materials_diffuse_transmission",
+    "KHR_materials_dispersion",
     "KHR_materials_emissive_strength",
     "KHR_materials_ior",
+    "KHR_materials_iridescence",
+    "KHR_materials_sheen",
     "KHR_materials_specular",
     "KHR_materials_transmission",
     "KHR_materials_unlit",

@@ -72,8 +72,6 @@ class Uses {
     const std::string pointer = pointer_ + "/" + place;
     const int set =
         info.transform ? Info::integer(*info.transform, "texCoord", info.tex_coord) : info.tex_coord;
-    if (set < 0 || set >= kUvSets)
-      document_.fail(pointer, fmt::format("TEXCOORD_{} is not read", set), "use TEXCOORD_0 to TEXCOORD_3");
     list.push_back(
         {slot, srgb, pointer, info.index, static_cast<std::uint8_t>(set), uv_transform(info.transform)});
   }

@@ -20,7 +20,6 @@ struct GltfTextureUse {
 
 /// All of a material's; occlusion, which a path tracer finds by itself, and the thickness of volumes, which
 /// it does not need, are left out. An unlit material's base colour is its emission.
-/// @throws InputError when one reads more than TEXCOORD_3
 std::vector<GltfTextureUse> gltf_texture_uses(const GltfDocument& document, std::size_t material);
 
 /// Gives the scene's used materials (those of a shape) their textures; decodes the images they name and no

@@ -44,7 +44,7 @@ struct AreaLight {
 class AreaLights {
  public:
   /// @param surfaces of the scene's materials; where there are none, nothing varies over them
-  AreaLights(const Scene& scene, std::span<const Surface> surfaces);
+  explicit AreaLights(const Scene& scene, std::span<const Surface> surfaces = {});
 
   const std::vector<AreaLight>& list() const { return lights_; }
 

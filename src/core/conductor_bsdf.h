@@ -1,0 +1,74 @@
+#pragma once
+
+#include "core/bsdf.h"
+#include "core/microfacet.h"
+#include "core/spectral_fresnel.h"
+
+namespace photopic {
+
+/// A metal of known complex index: GGX with the exact Fresnel term at every wavelength, further bounces given
+/// back after Kulla & Conty 2017.
+template <int N>
+class ConductorBsdf {
+ public:
+  static constexpr bool kTwoSided = true;
+  static constexpr bool kLitFromBehind = false;
+
+  ConductorBsdf(const ShadingMaterial<N>& m, Vec3f wo)
+      : wo_(wo), ggx_{sqr(m.roughness())}, fresnel_(measured(m)) {
+    if (mirror() || wo.z <= 0.0f) return;
+    const FresnelAlbedo& table = FresnelAlbedo::isotropic();
+    const FresnelAlbedo::Weights e = table.directional(wo, m.roughness(), 0.0f);
+    const FresnelAlbedo::Weights average = table.average(m.roughness(), 0.0f);
+    roughness_ = m.roughness();
+    g1_ = ggx_.g1(wo);
+    further_ =
+        fresnel_.further_bounces(average) * ((1.0f - e.total()) / std::max(1.0f - average.total(), 1e-6f));
+    const float bounce = fresnel_.albedo(e).sum();
+    const float further = fresnel_.further_bounces(average).sum() * (1.0f - e.total());
+    bounce_probability_ = bounce / (bounce + further);
+  }
+
+  /// The exact Fresnel term of the surface's metal.
+  static SpectralFresnel<N> measured(const ShadingMaterial<N>& m) {
+    const ConductorIndex& index = *m.surface().extensions->conductor;
+    SampledSpectrum<N> n, k;
+    for (int j = 0; j < N; ++j) {
+      n.v[j] = static_cast<float>(index.n(m.lambda()[j]));
+      k.v[j] = static_cast<float>(index.k(m.lambda()[j]));
+    }
+    return SpectralFresnel<N>::conductor(n, k);
+  }
+
+  BsdfValue<N> evaluate(Vec3f wi) const {
+    if (wi.z <= 0.0f || wo_.z <= 0.0f || mirror()) return {};
+    const Vec3f m = normalize(wo_ + wi);
+    const float d = ggx_.d(m) / (4.0f * wo_.z), cosine = cosine_hemisphere_pdf(wi.z);
+    const float missing = 1.0f - FresnelAlbedo::isotropic().directional(wi, roughness_, 0.0f).total();
+    return {fresnel_(dot(wo_, m)) * (d * ggx_.g2(wo_, wi)) + further_ * (missing * cosine),
+            bounce_probability_ * d * g1_ + (1.0f - bounce_probability_) * cosine};
+  }
+
+  std::optional<BsdfSample<N>> sample(float u_lobe, Sample2d u) const {
+    if (wo_.z <= 0.0f) return {};
+    if (mirror()) return BsdfSample<N>{{-wo_.x, -wo_.y, wo_.z}, fresnel_(wo_.z), 0.0f, true};
+    const Vec3f wi = u_lobe < bounce_probability_ ? reflect(wo_, ggx_.sample_visible(wo_, u))
+                                                  : sample_cosine_hemisphere(u);
+    const BsdfValue<N> value = evaluate(wi);
+    if (value.pdf == 0.0f) return {};
+    return BsdfSample<N>{wi, value.f_cos / value.pdf, value.pdf, false};
+  }
+
+ private:
+  bool mirror() const { return ggx_.alpha < kSmoothAlpha; }
+
+  Vec3f wo_;
+  Ggx ggx_;
+  FresnelFit<N> fresnel_;
+  float roughness_ = 0.0f;
+  float g1_ = 1.0f;                   ///< of wo
+  SampledSpectrum<N> further_{0.0f};  ///< further bounces, but for the factor that depends on wi
+  float bounce_probability_ = 1.0f;   ///< of choosing the GGX lobe
+};
+
+}  // namespace photopic

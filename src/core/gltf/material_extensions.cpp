@@ -1,0 +1,120 @@
+#include "core/gltf/material_extensions.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/gltf/material.h"
+
+namespace photopic {
+namespace {
+
+/// Extensions that are rendered by their factors alone.
+constexpr const char* kWithoutTextures[] = {"KHR_materials_anisotropy", "KHR_materials_clearcoat",
+                                            "KHR_materials_diffuse_transmission", "KHR_materials_iridescence",
+                                            "KHR_materials_sheen"};
+
+std::string extras_pointer(std::size_t index, const char* key) {
+  return fmt::format("/materials/{}/extras/{}", index, key);
+}
+
+/// The value of a material's extras under `key`; null when there is none.
+const tinygltf::Value* extra(const GltfDocument& document, std::size_t index, const char* key) {
+  const tinygltf::Value& extras = document.model.materials[index].extras;
+  return extras.IsObject() && extras.Has(key) ? &extras.Get(key) : nullptr;
+}
+
+void load_conductor(const GltfDocument& document, std::size_t index, Material& material) {
+  const tinygltf::Value* value = extra(document, index, "conductor");
+  if (value == nullptr) return;
+  const std::string name = value->IsString() ? value->Get<std::string>() : "";
+  material.extensions.conductor = conductor_index(name);
+  if (!material.extensions.conductor)
+    document.fail(extras_pointer(index, "conductor"),
+                  fmt::format("\"{}\" is not a known metal", name.substr(0, 60)),
+                  fmt::format("choose one of {}", fmt::join(conductor_names(), ", ")));
+}
+
+DielectricIndex cauchy(const GltfDocument& document, std::size_t index, const tinygltf::Value& value) {
+  const auto number = [&](int i) {
+    return value.Get(i).IsNumber() ? value.Get(i).GetNumberAsDouble() : -1.0;
+  };
+  const bool good = value.IsArray() && value.ArrayLen() == 2 && number(0) >= 1.0 && number(0) <= 100.0 &&
+                    number(1) >= 0.0 && number(1) <= 1.0;
+  if (!good)
+    document.fail(extras_pointer(index, "glass"),
+                  "\"cauchy\" is not a pair of A, 1 to 100, and B, 0 to 1 µm²",
+                  "write {\"cauchy\": [1.5046, 0.0042]} for BK7");
+  return CauchyIndex{number(0), 1e6 * number(1)};
+}
+
+void load_glass(const GltfDocument& document, std::size_t index, Material& material) {
+  const tinygltf::Value* value = extra(document, index, "glass");
+  if (value == nullptr) return;
+  const std::string name = value->IsString() ? value->Get<std::string>() : "";
+  std::optional<DielectricIndex> glass = glass_index(name);
+  if (value->IsObject() && value->Has("cauchy")) glass = cauchy(document, index, value->Get("cauchy"));
+  if (!glass)
+    document.fail(
+        extras_pointer(index, "glass"), fmt::format("\"{}\" is not a known glass", name.substr(0, 60)),
+        fmt::format("choose one of {}, or write {{\"cauchy\": [A, B]}}", fmt::join(glass_names(), ", ")));
+  const tinygltf::Material& source = document.model.materials[index];
+  material.extensions.dispersion = glass;
+  material.ior = static_cast<float>(refractive_index(*glass, 587.56));
+  if (!Extension(source, "KHR_materials_transmission"))
+    material.transmission = 1.0f, material.metallic = 0.0f;
+  if (!Extension(source, "KHR_materials_volume").has("thicknessFactor")) material.thin_walled = false;
+}
+
+void load_dispersion(const tinygltf::Material& source, Material& material) {
+  const float dispersion = Extension(source, "KHR_materials_dispersion").number("dispersion", 0.0);
+  if (dispersion > 0.0f && material.ior >= 1.0f)
+    material.extensions.dispersion = abbe_index(material.ior, dispersion);
+}
+
+void load_coats(const tinygltf::Material& source, MaterialExtensions& x) {
+  const Extension clearcoat(source, "KHR_materials_clearcoat"), sheen(source, "KHR_materials_sheen");
+  x.clearcoat = clearcoat.number("clearcoatFactor", 0.0);
+  x.clearcoat_roughness = clearcoat.number("clearcoatRoughnessFactor", 0.0);
+  x.sheen_color = reflectance_from_rgb(sheen.color("sheenColorFactor", {0, 0, 0}));
+  x.sheen_roughness = sheen.number("sheenRoughnessFactor", 0.0);
+}
+
+void load_surface(const tinygltf::Material& source, MaterialExtensions& x) {
+  const Extension anisotropy(source, "KHR_materials_anisotropy"), film(source, "KHR_materials_iridescence");
+  x.anisotropy = anisotropy.number("anisotropyStrength", 0.0);
+  x.anisotropy_rotation = anisotropy.number("anisotropyRotation", 0.0);
+  x.iridescence = film.number("iridescenceFactor", 0.0);
+  x.iridescence_ior = film.number("iridescenceIor", 1.3);
+  x.iridescence_thickness = film.number("iridescenceThicknessMaximum", 400.0);
+  const Extension through(source, "KHR_materials_diffuse_transmission");
+  x.diffuse_transmission = through.number("diffuseTransmissionFactor", 0.0);
+  x.diffuse_transmission_color = reflectance_from_rgb(through.color("diffuseTransmissionColorFactor"));
+}
+
+}  // namespace
+
+bool has_unread_textures(const tinygltf::Material& source) {
+  const auto is_texture = [](const std::string& key) { return key.ends_with("Texture"); };
+  return std::ranges::any_of(kWithoutTextures, [&](const char* name) {
+    const auto found = source.extensions.find(name);
+    return found != source.extensions.end() && found->second.IsObject() &&
+           std::ranges::any_of(found->second.Keys(), is_texture);
+  });
+}
+
+void load_material_extensions(const GltfDocument& document, std::size_t index, Material& material) {
+  const tinygltf::Material& source = document.model.materials[index];
+  load_coats(source, material.extensions);
+  load_surface(source, material.extensions);
+  load_dispersion(source, material);
+  load_conductor(document, index, material);
+  load_glass(document, index, material);
+  if (material.extensions.anisotropy > 0.0f) {
+    material.needs_tangents = true;
+    material.uv_sets |= 1u;  // the grain follows TEXCOORD_0 where there are no tangents
+  }
+}
+
+}  // namespace photopic

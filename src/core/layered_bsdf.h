@@ -1,0 +1,113 @@
+#pragma once
+
+#include "core/ggx_albedo.h"
+#include "core/glossy_base.h"
+#include "core/sheen.h"
+
+namespace photopic {
+
+/// KHR_materials_clearcoat over KHR_materials_sheen over a GlossyBase. Each layer receives what those above
+/// it do not reflect towards wo, by their directional albedo: no energy is gained or lost. As in glTF's own
+/// layering the share depends on wo alone, so coats are not reciprocal.
+template <int N>
+class LayeredBsdf {
+ public:
+  static constexpr bool kTwoSided = true;
+  static constexpr bool kLitFromBehind = true;
+  static constexpr bool kHasGrain = true;  ///< the frame's s and t matter
+
+  LayeredBsdf(const ShadingMaterial<N>& m, Vec3f wo)
+      : wo_(wo), base_(m, wo), sheen_(m.surface().extensions->sheen_roughness, {0, 0, 0}) {
+    if (wo.z <= 0.0f) return;
+    const MaterialExtensions& x = *m.surface().extensions;
+    coat_ = x.clearcoat, coat_ggx_ = {sqr(x.clearcoat_roughness)};
+    const float coat_albedo = coat_ > 0.0f ? coat_ * schlick(coat_factors(x.clearcoat_roughness)) : 0.0f;
+    under_coat_ = 1.0f - coat_albedo;
+    under_sheen_ = SampledSpectrum<N>(under_coat_);
+    float sheen_albedo = 0.0f;
+    if (x.has_sheen()) {
+      sheen_ = Sheen(x.sheen_roughness, wo);
+      sheen_color_ = sample_spectrum<N>(x.sheen_color, m.lambda());
+      under_sheen_ = (SampledSpectrum<N>(1.0f) - sheen_color_ * sheen_.albedo()) * under_coat_;
+      sheen_albedo = sheen_color_.sum() / N * sheen_.albedo() * under_coat_;
+    }
+    const float base_albedo = (base_.albedo() * under_sheen_).sum() / N;
+    const float sum = coat_albedo + sheen_albedo + base_albedo;
+    if (sum > 0.0f) p_coat_ = coat_albedo / sum, p_sheen_ = sheen_albedo / sum;
+    p_base_ = std::max(1.0f - p_coat_ - p_sheen_, 0.0f);
+  }
+
+  BsdfValue<N> evaluate(Vec3f wi) const {
+    if (wo_.z <= 0.0f) return {};
+    BsdfValue<N> value = base_.evaluate(wi);
+    value.f_cos *= under_sheen_;
+    value.pdf *= p_base_;
+    if (wi.z <= 0.0f) return value;
+    if (p_sheen_ > 0.0f) {
+      value.f_cos += sheen_color_ * (under_coat_ * sheen_.evaluate(wi));
+      value.pdf += p_sheen_ * cosine_hemisphere_pdf(wi.z);
+    }
+    if (p_coat_ > 0.0f && !coat_is_smooth()) {
+      const Vec3f m = normalize(wo_ + wi);
+      const float d = coat_ggx_.d(m) / (4.0f * wo_.z);
+      value.f_cos += SampledSpectrum<N>(coat_fresnel(dot(wo_, m)) * d * coat_ggx_.g2(wo_, wi));
+      value.pdf += p_coat_ * d * coat_ggx_.g1(wo_);
+    }
+    return value;
+  }
+
+  std::optional<BsdfSample<N>> sample(float u_lobe, Sample2d u) const {
+    if (wo_.z <= 0.0f) return {};
+    Vec3f wi;
+    if (u_lobe < p_coat_) {
+      if (coat_is_smooth()) {
+        const SampledSpectrum<N> weight(coat_fresnel(wo_.z) / p_coat_);
+        return BsdfSample<N>{{-wo_.x, -wo_.y, wo_.z}, weight, 0.0f, true};
+      }
+      wi = reflect(wo_, coat_ggx_.sample_visible(wo_, u));
+      if (wi.z <= 0.0f) return {};
+    } else if (u_lobe < p_coat_ + p_sheen_) {
+      wi = sample_cosine_hemisphere(u);
+    } else {
+      const float u_base = std::min((u_lobe - p_coat_ - p_sheen_) / p_base_, 0x1.fffffep-1f);
+      auto s = base_.sample(u_base, u);
+      if (!s) return {};
+      if (s->delta) {
+        s->weight *= under_sheen_ / p_base_;
+        return s;
+      }
+      wi = s->wi;
+    }
+    const BsdfValue<N> value = evaluate(wi);
+    if (value.pdf == 0.0f) return {};
+    return BsdfSample<N>{wi, value.f_cos / value.pdf, value.pdf, false};
+  }
+
+ private:
+  /// The coat's index is 1.5.
+  static constexpr float kCoatF0 = 0.04f;
+  static float schlick(GgxAlbedo::Factors e) { return kCoatF0 * e.scale + e.bias; }
+
+  bool coat_is_smooth() const { return coat_ggx_.alpha < kSmoothAlpha; }
+  GgxAlbedo::Factors coat_factors(float roughness) const {
+    if (!coat_is_smooth()) return GgxAlbedo::table().directional(wo_.z, roughness);
+    const float w = schlick_weight(wo_.z);
+    return {1.0f - w, w};
+  }
+  float coat_fresnel(float cos_theta) const {
+    const float w = schlick_weight(cos_theta);
+    return coat_ * schlick({1.0f - w, w});
+  }
+
+  Vec3f wo_;
+  GlossyBase<N> base_;
+  float coat_ = 0.0f;
+  Ggx coat_ggx_{0.0f};
+  Sheen sheen_;
+  SampledSpectrum<N> sheen_color_{0.0f};
+  float under_coat_ = 1.0f;               ///< share of light that the coat lets through to and from wo
+  SampledSpectrum<N> under_sheen_{1.0f};  ///< the same for coat and sheen together
+  float p_coat_ = 0.0f, p_sheen_ = 0.0f, p_base_ = 1.0f;  ///< of choosing each layer's lobes
+};
+
+}  // namespace photopic

@@ -1,0 +1,178 @@
+#pragma once
+
+#include "core/bsdf.h"
+#include "core/fresnel.h"
+#include "core/ggx_albedo.h"
+#include "core/microfacet.h"
+#include "spectral/refractive_index.h"
+
+namespace photopic {
+
+/// GlassBsdf where the index or the reflectance depends on the wavelength: dispersive glass, thin films on
+/// glass.
+///
+/// A reflection serves all wavelengths: it is chosen with their mean reflectance. So does what passes a thin
+/// wall. Refraction through smooth dispersive glass serves one, chosen with probabilities q_j that follow
+/// what the path carries; its weight is divided by q_j and the path is split. Refraction through rough glass
+/// is sampled for one wavelength and weighed for all by the balance heuristic over them (Wilkie et al. 2014),
+/// the density of a direction being Σ q_j p_j. Unbiased whatever the q_j and the densities of the wavelengths
+/// are.
+template <int N>
+class SpectralGlassBsdf {
+ public:
+  static constexpr bool kTwoSided = false;
+  static constexpr bool kLitFromBehind = true;
+
+  /// @param throughput of the path: wavelengths that carry nothing are not chosen
+  SpectralGlassBsdf(const ShadingMaterial<N>& m, Vec3f wo, SampledSpectrum<N> throughput)
+      : side_(wo.z < 0.0f ? -1.0f : 1.0f),
+        wo_{wo.x, wo.y, wo.z * side_},
+        ggx_{sqr(m.roughness())},
+        solid_(m.surface().solid),
+        tint_(m.base_color()) {
+    const MaterialExtensions& x = *m.surface().extensions;
+    film_ = x.iridescence;
+    film_ior_ = x.iridescence_ior;
+    const float total = throughput.sum();
+    for (int j = 0; j < N; ++j) {
+      q_.v[j] = throughput[j] / total;
+      double ior = m.surface().ior;
+      if (x.dispersion) ior = refractive_index(*x.dispersion, m.lambda()[j]);
+      ior_.v[j] = static_cast<float>(ior);
+      if (!smooth()) ior_.v[j] = std::max(ior_[j], kLeastRoughIor);
+      eta_.v[j] = !solid_ || side_ > 0.0f ? ior_[j] : 1.0f / ior_[j];
+      phase_.v[j] = 2.0f * kPi * x.iridescence_thickness / m.lambda()[j];
+      gain_.v[j] = smooth() || wo_.z == 0.0f ? 1.0f : 1.0f / kept(m, ior_[j]);
+    }
+    disperses_ = solid_ && x.dispersion && is_dispersive(*x.dispersion);
+    if (!smooth() && wo_.z > 0.0f) g1_ = ggx_.g1(wo_);
+  }
+
+  BsdfValue<N> evaluate(Vec3f wi) const {
+    wi.z *= side_;
+    if (smooth() || wo_.z == 0.0f || wi.z == 0.0f) return {};
+    if (wi.z > 0.0f) return evaluate_mirrored(wi, true);
+    if (solid_) return evaluate_refraction(wi);
+    wi.z = -wi.z;
+    return evaluate_mirrored(wi, false);
+  }
+
+  std::optional<BsdfSample<N>> sample(float u_lobe, Sample2d u) const {
+    if (wo_.z == 0.0f) return {};
+    const Vec3f m = smooth() ? Vec3f{0, 0, 1} : ggx_.sample_visible(wo_, u);
+    const SampledSpectrum<N> f = reflectance(dot(wo_, m));
+    const float reflected = (q_ * f).sum();
+    auto s = u_lobe < reflected ? bounce(m, f / reflected)
+             : !solid_          ? pass(m, tint_ * (SampledSpectrum<N>(1.0f) - f) / (1.0f - reflected))
+                                : cross(m, f, u_lobe - reflected);
+    if (!s) return {};
+    if (!smooth()) {
+      const BsdfValue<N> value = evaluate({s->wi.x, s->wi.y, s->wi.z * side_});
+      if (value.pdf == 0.0f) return {};
+      s->delta = s->split = false;
+      s->pdf = value.pdf, s->weight = value.f_cos / value.pdf;
+    }
+    s->wi.z *= side_;
+    return s;
+  }
+
+ private:
+  bool smooth() const { return ggx_.alpha < kSmoothAlpha; }
+
+  SampledSpectrum<N> reflectance(float cos_i) const {
+    SampledSpectrum<N> f;
+    for (int j = 0; j < N; ++j) {
+      f.v[j] = fresnel_dielectric(cos_i, eta_[j]);
+      if (film_ > 0.0f) f.v[j] += film_ * (filmed(cos_i, j) - f[j]);
+      if (!solid_) f.v[j] = 2.0f * f[j] / (1.0f + f[j]);
+    }
+    return f;
+  }
+  float filmed(float cos_i, int j) const {
+    const bool inside = solid_ && side_ < 0.0f;
+    return ThinFilm{inside ? ior_[j] : 1.0f, film_ior_, {inside ? 1.0f : ior_[j]}, phase_[j]}.reflectance(
+        cos_i);
+  }
+
+  float kept(const ShadingMaterial<N>& m, float ior) const {
+    if (!solid_) return GgxAlbedo::table().directional(wo_.z, m.roughness()).total();
+    const auto& albedo = m.surface().glass_albedo;  // none where no wavelength is refracted
+    return albedo ? (*albedo)(wo_.z, m.roughness(), ior, side_ < 0.0f) : 1.0f;
+  }
+
+  std::optional<BsdfSample<N>> bounce(Vec3f m, SampledSpectrum<N> weight) const {
+    const Vec3f wi = reflect(wo_, m);
+    if (wi.z <= 0.0f) return {};
+    return BsdfSample<N>{wi, weight, 0.0f, true};
+  }
+
+  std::optional<BsdfSample<N>> pass(Vec3f m, SampledSpectrum<N> weight) const {
+    auto s = bounce(m, weight);
+    if (s) s->wi.z = -s->wi.z;
+    return s;
+  }
+
+  /// Refraction, at one wavelength's index. @param u uniform in [0, Σ q_j(1 − F_j))
+  std::optional<BsdfSample<N>> cross(Vec3f m, SampledSpectrum<N> f, float u) const {
+    int k = -1;
+    for (int j = 0; j < N && (k < 0 || u >= 0.0f); ++j) {
+      const float share = q_[j] * (1.0f - f[j]);
+      if (share > 0.0f) k = j;
+      u -= share;
+    }
+    if (std::isnan(u)) k = 0;  // stays to be seen in the weight
+    if (k < 0) return {};
+    const Vec3f wi = refract(wo_, m, eta_[k]);
+    if (wi.z >= 0.0f) return {};
+    BsdfSample<N> s{wi, SampledSpectrum<N>(0.0f), 0.0f, true};
+    s.eta = eta_[k];
+    if (disperses_) {
+      s.weight.v[k] = tint_[k] / (sqr(eta_[k]) * q_[k]);
+      s.split = q_[k] < 1.0f;
+    } else {
+      s.weight = tint_ * (SampledSpectrum<N>(1.0f) - f) / (sqr(eta_[k]) * (1.0f - (q_ * f).sum()));
+    }
+    return s;
+  }
+
+  /// Reflection, or what passes a thin wall: the same lobe on the other side.
+  BsdfValue<N> evaluate_mirrored(Vec3f wi, bool reflected) const {
+    const Vec3f m = normalize(wo_ + wi);
+    const SampledSpectrum<N> f = reflectance(dot(wo_, m));
+    const SampledSpectrum<N> share = reflected ? f : SampledSpectrum<N>(1.0f) - f;
+    const float d = ggx_.d(m) / (4.0f * wo_.z);
+    return {(reflected ? share : share * tint_) * gain_ * (d * ggx_.g2(wo_, wi)),
+            (q_ * share).sum() * d * g1_};
+  }
+
+  BsdfValue<N> evaluate_refraction(Vec3f wi) const {
+    BsdfValue<N> value;
+    const float g2 = ggx_.g2(wo_, wi);
+    for (int j = 0; j < N; ++j) {
+      Vec3f m = normalize(wo_ + wi * eta_[j]);
+      if (m.z < 0.0f) m = -m;
+      const float cos_o = dot(wo_, m);
+      if (cos_o <= 0.0f || dot(wi, m) >= 0.0f) continue;
+      float f = fresnel_dielectric(cos_o, eta_[j]);
+      if (film_ > 0.0f) f += film_ * (filmed(cos_o, j) - f);
+      const float common = (1.0f - f) * ggx_.d(m) * cos_o / wo_.z * refraction_jacobian(wo_, wi, m, eta_[j]);
+      value.f_cos.v[j] = tint_[j] * common * gain_[j] * g2 / sqr(eta_[j]);
+      value.pdf += q_[j] * common * g1_;
+    }
+    return value;
+  }
+
+  float side_;  ///< −1 where wo is below; all else is mirrored to have it above
+  Vec3f wo_;
+  Ggx ggx_;
+  bool solid_, disperses_;
+  SampledSpectrum<N> tint_;
+  float film_, film_ior_;
+  SampledSpectrum<N> q_;  ///< a wavelength's probability to be chosen
+  SampledSpectrum<N> ior_, eta_;
+  SampledSpectrum<N> phase_;  ///< of the film: 2π·thickness/λ
+  SampledSpectrum<N> gain_;   ///< 1/(share that one bounce keeps)
+  float g1_ = 1.0f;           ///< of wo
+};
+
+}  // namespace photopic
