@@ -83,7 +83,7 @@ TEST_F(GltfRulesTest, EachRuleIsHeld) {
       {lights + "/0/color", "[1, -1, 1]", lights + "/0/color/1"},
       {lights + "/1/range", "0"},
       {lights + "/2/spot/outerConeAngle", "1.6"},
-      {lights + "/2/spot/innerConeAngle", "0.5", lights + "/2/spot"},
+      {lights + "/2/spot/innerConeAngle", "0.6", lights + "/2/spot"},
       {lights + "/1/type", "\"spot\"", lights + "/1"},
       {"/nodes/5/extensions/KHR_lights_punctual/light", "3"},
       {"/nodes/5/extensions/KHR_lights_punctual", "{}"},
