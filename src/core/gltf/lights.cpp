@@ -71,9 +71,9 @@ void load_gltf_lights(const GltfDocument& document, const std::vector<NodeInstan
     if (source.range > 0.0) ++ranged;
     const int spectrum =
         emissions.add({source.name, "light", pointer, "color", color_of(source), &source.extras}).spectrum;
-    scene.punctual_lights.push_back(
-        place(document, instance, {.kind = kind_of(source), .intensity = intensity, .emission_spectrum = spectrum},
-              source, scene.origin));
+    scene.punctual_lights.push_back(place(
+        document, instance, {.kind = kind_of(source), .intensity = intensity, .emission_spectrum = spectrum},
+        source, scene.origin));
   }
   if (ranged > 0)
     scene.warnings.push_back(fmt::format("lights with a range, rendered as if without: {}", ranged));
