@@ -33,6 +33,7 @@ Rgb color_under_d65(const Spectrum& reflectance) {
 
 std::string kind_of(const Material& m) {
   if (m.unlit) return "unlit";
+  if (m.extensions.conductor) return "metal, measured";
   const double glass = m.transmission * (1.0 - m.metallic);
   const std::string clear = m.thin_walled ? "thin glass" : "glass";
   if (glass >= 1.0) return clear;
@@ -54,6 +55,13 @@ Json parameters_of(const Material& m) {
   add("specular", m.specular, 1.0f);
   add("transmission", m.transmission, 0.0f);
   add("attenuation_distance", m.attenuation_distance, 0.0f);
+  const MaterialExtensions& x = m.extensions;
+  if (x.dispersion && is_dispersive(*x.dispersion)) json["abbe_number"] = abbe_number(*x.dispersion);
+  add("clearcoat", x.clearcoat, 0.0f);
+  add("anisotropy", x.anisotropy, 0.0f);
+  add("iridescence", x.iridescence, 0.0f);
+  add("diffuse_transmission", x.diffuse_transmission, 0.0f);
+  if (x.has_sheen()) json["sheen_roughness"] = x.sheen_roughness;
   if (m.alpha_mode == AlphaMode::mask) json["alpha_cutoff"] = m.alpha_cutoff;
   if (m.alpha_mode == AlphaMode::blend) json["alpha_blend"] = true;
   if (m.double_sided) json["double_sided"] = true;
@@ -138,7 +146,8 @@ ReportSection report_materials(const Scene& scene) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const Material& m = scene.materials[i];
     if (i + 1 == scene.materials.size() && triangles[i] == 0) break;  // glTF's default, not used
-    const Rgb color = color_under_d65(m.base_color);
+    const Vec3f shown = m.base_factor;
+    const Rgb color = m.unlit ? Rgb{shown.x, shown.y, shown.z} : color_under_d65(m.base_color);
     const Json parameters = parameters_of(m);
     section.rows.push_back(
         {m.name, kind_of(m), fmt::format("{:.3f} {:.3f} {:.3f}", color.r, color.g, color.b),

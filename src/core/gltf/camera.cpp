@@ -156,6 +156,8 @@ void load_gltf_camera(const GltfDocument& document, const std::vector<NodeInstan
   scene.camera = Camera{};
   if (const NodeInstance* instance = choose_camera(document, instances, options.camera)) {
     const int index = document.model.nodes[instance->node].camera;
+    const std::string& name = document.model.cameras[index].name;
+    scene.camera_name = name.empty() ? document.model.nodes[instance->node].name : name;
     const CameraExtras extras(document, index);
     const double aspect = read_projection(document, index, scene.camera);
     place(document, *instance, scene.origin, scene.camera);
