@@ -23,7 +23,7 @@ from tiny_scene import tiny_scene
 BINARY = os.environ["PHOTOPIC_BINARY"]
 FIXTURE = pathlib.Path(__file__).parent.parent / "gltf" / "all_features.gltf"
 SHARED = pathlib.Path(os.environ.get("PHOTOPIC_SHARED", "/nonexistent"), "gltf")
-SECONDS = 1.0  # of processor time
+SECONDS = 20  # of processor time, to tell a hang on the slowest machine; a good one takes a fraction of one
 MEGABYTES = 200
 ODD_BUT_VALID = {"geo_degenerate_all", "node_chain_50000", "node_scale_zero"}
 EITHER = {"mat_bad_values"}
@@ -34,7 +34,7 @@ import json, os, resource, subprocess, sys
 limit = int(sys.argv[1])
 resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
 try:
-    result = subprocess.run(sys.argv[2:], capture_output=True, timeout=60)
+    result = subprocess.run(sys.argv[2:], capture_output=True, timeout=120)
 except subprocess.TimeoutExpired:
     sys.exit("it hangs")
 usage = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -44,7 +44,7 @@ print(json.dumps([result.returncode, result.stderr.decode(errors="replace"), usa
 
 class Outcome:
     def __init__(self, arguments):
-        command = [sys.executable, "-S", "-c", MEASURE, "10", BINARY, *map(str, arguments)]
+        command = [sys.executable, "-S", "-c", MEASURE, "60", BINARY, *map(str, arguments)]
         measured = subprocess.run(command, capture_output=True, text=True)
         hung = (-1, measured.stderr, 0, 0)
         self.code, self.stderr, self.seconds, self.megabytes = json.loads(measured.stdout or "null") or hung
@@ -139,7 +139,7 @@ class Malformed(unittest.TestCase):
             scene.write_bytes(encode(document))
             outcome = Outcome(["info", scene])
         self.assertEqual(outcome.code, 0, outcome.stderr)
-        self.assertLess(outcome.seconds, 8)  # about 2 s; quadratic would be minutes
+        self.assertLess(outcome.seconds, 40)  # about 2 s; quadratic would be minutes
 
     @unittest.skipUnless(SHARED.is_dir(), "no collection of glTF files")
     def test_the_collection(self):
