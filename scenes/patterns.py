@@ -40,7 +40,7 @@ def parquet(u, v, planks=8):
     within_u, within_v = 2 * (u + shift) - column, v * planks - row
     if min(within_v, 1 - within_v) < 0.025 or min(within_u, 1 - within_u) < 0.003:
         return (0.16, 0.10, 0.06)
-    tone = 0.75 + 0.4 * hashed(row, column % 2, 78)
+    tone = 1.15 + 0.45 * hashed(row, column % 2, 78)
     return tuple(c * tone for c in wood(u, (within_v + row) / planks, seed=row % 5 + 2))
 
 

@@ -13,7 +13,7 @@ FOLDER = pathlib.Path(__file__).parent / "staircase"
 STEPS, RISE, RUN, NOSE = 14, 0.175, 0.27, 0.03
 STAIR_WIDTH, STAIR_Z = 1.1, -2.0  # along the back wall, upwards to the right
 START = -1.2  # x of the first riser
-LUMINANCE = 40  # of the globe [cd/m2]
+LUMINANCE = 90  # of the globe [cd/m2]
 
 
 def textured(scene, name, size, pattern, roughness):
