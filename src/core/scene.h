@@ -63,8 +63,9 @@ struct Material {
       false;  ///< it has a normal map (or is anisotropic): TANGENT is stored if the file has it
 
   int emission_spectrum = -1;       ///< index into Scene::emission_spectra, −1: emits nothing
-  float emission_luminance = 0.0f;  ///< factor on that spectrum, which has unit luminance [cd/m²]; textured:
-  Vec3f emissive_factor{1, 1, 1};   ///< linear sRGB, times texture: a further factor, upsampled to a spectrum
+  float emission_luminance = 0.0f;  ///< factor on that spectrum, which has unit luminance [cd/m²]; textured
+                                    ///< or unlit:
+  Vec3f emissive_factor{1, 1, 1};   ///< linear sRGB in [0, 1], times texture: a further factor, upsampled
   bool emission_is_measured = false;  ///< or, if the spectrum was given: of it only the luminance
   bool unlit =
       false;  ///< KHR_materials_unlit: a lamp in its base colour (vertex colours too) that reflects nothing

@@ -67,7 +67,7 @@ Surface::Surface(const Material& m)
       double_sided(m.double_sided),
       solid(!m.thin_walled),
       base_varies(!m.unlit && (m.has_vertex_colors || has_texture(m, &MaterialTextures::base_color))),
-      emission_varies(has_texture(m, &MaterialTextures::emissive) || (m.unlit && m.has_vertex_colors)),
+      emission_varies(has_texture(m, &MaterialTextures::emissive) || m.unlit),
       maps_normals(has_texture(m, &MaterialTextures::normal)),
       partly_covers(has_partial_alpha(m)),
       base_color(m.base_color),

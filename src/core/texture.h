@@ -20,6 +20,7 @@ struct TextureImage {
   std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>> texels;
 
   bool has_alpha() const { return channels == 2 || channels == 4; }
+  bool is_black() const;  ///< all over, whatever its alpha
 };
 
 /// A PNG or JPEG in memory whose header has been read and found sensible. At most 2^28 texels, and no more

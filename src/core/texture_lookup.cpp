@@ -84,6 +84,17 @@ Vec4f to_vector(const Texel& t) {
 
 }  // namespace
 
+bool TextureImage::is_black() const {
+  const auto all = static_cast<std::size_t>(channels), colors = all - (has_alpha() ? 1 : 0);
+  return std::visit(
+      [&](const auto& t) {
+        for (std::size_t i = 0; i < t.size(); ++i)
+          if (t[i] != 0 && i % all < colors) return false;
+        return true;
+      },
+      texels);
+}
+
 Vec4f Texture::operator()(Vec2f uv) const {
   const Vec2f at = transform(uv);
   const TextureImage& i = *image;

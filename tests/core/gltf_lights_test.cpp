@@ -1,3 +1,5 @@
+#include <numbers>
+
 #include "core/gltf_fixture.h"
 #include "spectral/observer.h"
 
@@ -57,6 +59,22 @@ TEST_F(GltfTest, PunctualLights) {
   EXPECT_EQ(point.emission_spectrum, sun.emission_spectrum);
   EXPECT_FALSE(scene.environment);
   EXPECT_TRUE(scene.warnings.empty());
+}
+
+/// A spot has its intensity along its axis, however narrow; a hard edge is bright to the edge.
+TEST(PunctualLights, NarrowAndHardSpots) {
+  PunctualLight spot{.kind = PunctualLight::Kind::spot, .intensity = 1.0f};
+  for (const double degrees : {0.2, 1.0, 30.0}) {
+    const double outer = degrees * std::numbers::pi / 180.0;
+    spot.cos_outer = static_cast<float>(std::cos(outer));
+    for (const float inner : {1.0f, spot.cos_outer}) {
+      spot.cos_inner = inner;
+      EXPECT_FLOAT_EQ(spot.attenuation(1.0f), 1.0f) << degrees;
+      EXPECT_EQ(spot.attenuation(static_cast<float>(std::cos(1.1 * outer))), 0.0f) << degrees;
+    }
+    const double cone = 2.0 * std::numbers::pi * (1.0 - std::cos(outer));  // hard
+    EXPECT_NEAR(spot.power(1.0), cone, 0.15 * cone) << degrees;
+  }
 }
 
 TEST_F(GltfTest, SpectraOfPunctualLights) {

@@ -36,6 +36,17 @@ class GltfTextures : public GltfTest {
 
 constexpr const char* kBase = R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}})";
 
+/// A factor above 1 (of files older than KHR_materials_emissive_strength) is not cut by the texture's
+/// colours; a texture that is black all over is no lamp.
+TEST_F(GltfTextures, EmissiveFactors) {
+  const char* material = R"({"emissiveFactor": [5, 2, 0], "emissiveTexture": {"index": 0}})";
+  const Material m = load(file(material, {texel(255, 255, 255)}).str()).materials[0];
+  EXPECT_FLOAT_EQ(m.emission_luminance * m.emissive_factor.x, 5.0f);
+  EXPECT_FLOAT_EQ(m.emission_luminance * m.emissive_factor.y, 2.0f);
+  EXPECT_LE(m.emissive_factor.x, 1.0f);
+  EXPECT_LT(load(file(material, {texel(0, 0, 0)}).str()).materials[0].emission_spectrum, 0);
+}
+
 TEST_F(GltfTextures, EveryParameterReadsItsChannel) {
   const Scene scene = load(file(R"({
     "pbrMetallicRoughness": {"baseColorFactor": [0.5, 1, 1, 1], "metallicFactor": 0.5, "roughnessFactor": 0.8,

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "integrator/integrator.h"
+#include "support/instances.h"
 #include "textured_square.h"
 
 namespace photopic {
@@ -41,6 +42,18 @@ TEST(Alpha, ShadowsOfSheets) {
   const double open = luminance(lit(0, 2048)).mean;
   expect_luminance(lit(1, 2048), 0.7 * open, "one sheet", 3e-3);
   expect_luminance(lit(2, 4096), 0.49 * open, "two sheets", 3e-3);
+}
+
+/// Instances of one sheet decide for themselves too.
+TEST(Alpha, InstancesOfOneSheet) {
+  SceneBuilder b = furnace(d65());
+  Material black = diffuse(ConstantSpectrum{0.0});
+  black.alpha_mode = AlphaMode::blend;
+  black.alpha = 0.3f;
+  add_square(b, black, 8);
+  const auto at = [](double z) { return placement({1, 1, 1}, {0, 0, 1}, 0, {0, 0, z}); };
+  const Scene scene = with_instances(b.build(), {at(0), at(0.1)});
+  expect_luminance(film_of(scene, 1024), 0.49 * kLuminance, "two instances");
 }
 
 /// A mask is all or nothing: of a chess board just its black squares are there.

@@ -79,6 +79,37 @@ TEST(Textures, MeasuredEmissionKeepsItsSpectrum) {
   expect_same_image(image(true), image(false), 1, "measured");
 }
 
+/// A lamp whose light falls between the points that the light sampler looks at is found by chance, and counts
+/// in full.
+TEST(Textures, SpecksOfLight) {
+  constexpr int kSize = 256;
+  Texels specks(3 * kSize * kSize, 0);
+  for (std::size_t y = 3; y < kSize; y += 4)
+    for (std::size_t x = 3; x < kSize; x += 4)
+      std::fill_n(specks.begin() + static_cast<std::ptrdiff_t>(3 * (y * kSize + x)), 3, std::uint8_t{255});
+  for (const bool other_lamp : {false, true}) {
+    SceneBuilder b;
+    Material m = textured(diffuse(ConstantSpectrum{0.0}),
+                          [&](MaterialTextures& t) { t.emissive = square_texture(kSize, 3, specks); });
+    m.emission_spectrum = b.emission(d65());
+    m.emission_luminance = 100.0f;
+    b.ceiling({0, 0, 0.5}, 0.5, 0.5, b.material(m));
+    Material plain = diffuse(ConstantSpectrum{0.0});
+    plain.emission_spectrum = m.emission_spectrum;
+    plain.emission_luminance = 1.0f;
+    if (other_lamp) b.ceiling({40, 0, 0.5}, 0.1, 0.1, b.material(plain));
+    b.floor({0, 0, 0}, 0.5, 0.5, b.material(diffuse(ConstantSpectrum{0.5})));
+    b.camera({0.0, -0.8, 0.3}, {0, 0, 0}, 20, 4, 4);
+    const PreparedScene scene(unwrapped(b));
+    const UniformWavelengths sampler{4};
+    const RenderResult fast = render(scene, sampler, {.spp = 4096, .sequence = Sequence::independent}),
+                       slow = render_naive(scene, sampler,
+                                           {.spp = 4096, .sequence = Sequence::independent, .seed = 2});
+    EXPECT_GT(luminance(slow.film).mean, 0.0);
+    expect_same_image(fast.film, slow.film, 1, other_lamp ? "with another lamp" : "alone");
+  }
+}
+
 /// A normal map of one constant tilt shades a small square as a square that is tilted so.
 class NormalMap : public testing::Test {
  protected:

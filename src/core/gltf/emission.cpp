@@ -94,15 +94,16 @@ std::optional<NamedEmission> given_emission(const GltfDocument& document, const 
   return NamedEmission{unit_luminance(given->spectrum, where), given->name};
 }
 
-/// Where a texture tints the emission, the material's colour does so with it, on white.
+/// Where a texture tints the emission, the material's colour does so with it, on white; so it does where
+/// there may be many: scenes drawn in unlit colours shall not have a spectrum for each.
 void set_emission(const tinygltf::Material& source, const std::string& pointer, GltfEmissions& emissions,
                   Material& material) {
   const Rgb factor = emissive_factor(source);
-  const bool varies =
-      (material.textures && material.textures->emissive) || (material.unlit && material.has_vertex_colors);
-  material.emissive_factor = to_float({factor.r, factor.g, factor.b});
+  const bool varies = (material.textures && material.textures->emissive) || material.unlit;
+  const double top = std::max({factor.r, factor.g, factor.b, 1.0});  // tints end at 1
+  material.emissive_factor = to_float({factor.r / top, factor.g / top, factor.b / top});
   material.emission_luminance =
-      static_cast<float>(varies ? emissive_strength(source) : emitted_luminance(source));
+      static_cast<float>(varies ? emissive_strength(source) * top : emitted_luminance(source));
   const GltfEmissions::Added added = emissions.add({.name = source.name,
                                                     .kind = "material",
                                                     .pointer = pointer,
@@ -161,7 +162,10 @@ void load_gltf_emission(const GltfDocument& document, GltfEmissions& emissions, 
                            "set emissiveFactor and emissiveStrength to its luminance");
       continue;
     }
-    set_emission(source, pointer, emissions, scene.materials[index]);
+    Material& material = scene.materials[index];
+    if (material.textures && material.textures->emissive && material.textures->emissive.image->is_black())
+      continue;
+    set_emission(source, pointer, emissions, material);
   }
 }
 

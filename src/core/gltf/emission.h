@@ -47,7 +47,7 @@ class GltfEmissions {
 };
 
 /// Gives the scene's used materials (those of a shape) their emission: emissiveFactor's luminance ×
-/// emissiveStrength.
+/// emissiveStrength; none to those whose emissive texture is black all over, as many exporters write it.
 /// @throws InputError
 void load_gltf_emission(const GltfDocument& document, GltfEmissions& emissions, Scene& scene);
 

@@ -20,6 +20,27 @@ Corners corners_of(const Geometry& geometry, std::uint32_t triangle) {
   return {geometry.positions[a], geometry.positions[b], geometry.positions[c]};
 }
 
+/// How many points an edge it takes to see what varies over a triangle: one a texel, within reason.
+int steps_across(const Geometry& geometry, const Surface& surface, std::uint32_t triangle) {
+  constexpr float kMost = 64.0f;
+  float texels = 2.0f;  // vertex colours are linear
+  const auto add = [&](const Texture& texture) {
+    if (!texture) return;
+    const auto corner = [&](float u, float v) {
+      return texture.transform(TrianglePoint(geometry, triangle, u, v).uv(texture.uv_set));
+    };
+    const Vec2f a = corner(0, 0), b = corner(1, 0), c = corner(0, 1);
+    const auto extent = [](float x, float y, float z) { return std::max({x, y, z}) - std::min({x, y, z}); };
+    texels = std::max({texels, extent(a.x, b.x, c.x) * static_cast<float>(texture.image->width),
+                       extent(a.y, b.y, c.y) * static_cast<float>(texture.image->height)});
+  };
+  if (surface.textures) {
+    add(surface.textures->emissive);
+    if (surface.partly_covers) add(surface.textures->base_color);
+  }
+  return texels < kMost ? static_cast<int>(std::ceil(texels)) : static_cast<int>(kMost);
+}
+
 /// The mean luminance over a triangle on which emission or coverage vary, from points spread evenly over
 /// it.
 float mean_luminance(const Scene& scene, std::span<const Surface> surfaces, std::uint32_t material,
@@ -28,13 +49,13 @@ float mean_luminance(const Scene& scene, std::span<const Surface> surfaces, std:
   if (surfaces.empty()) return luminance;
   const Surface& surface = surfaces[material];
   if (!surface.emission_varies && !surface.partly_covers) return luminance;
-  constexpr int kSteps = 24;
+  const int steps = steps_across(scene.geometry, surface, triangle);
+  const float third = 1.0f / 3.0f, step = 1.0f / static_cast<float>(steps);
   float sum = 0.0f;
   int count = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    for (int j = 0; i + j < kSteps; ++j, ++count) {
-      const float third = 1.0f / 3.0f, u = (static_cast<float>(i) + third) / kSteps,
-                  v = (static_cast<float>(j) + third) / kSteps;
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; i + j < steps; ++j, ++count) {
+      const float u = (static_cast<float>(i) + third) * step, v = (static_cast<float>(j) + third) * step;
       const TrianglePoint point(scene.geometry, triangle, u, v);
       const float tint = surface.emission_varies ? photopic::luminance(surface.emissive_rgb(point)) : 1.0f;
       sum += tint * surface.coverage(point);

@@ -188,9 +188,10 @@ std::optional<LightSample> LightSampler::sample_light(std::uint32_t light, Vec3f
 
 float LightSampler::choice_probability(const LightReference& at, std::span<const float> spectra, int spectrum,
                                        std::uint32_t light) const {
+  const Place& place = places_[light];
+  if (place.entry == kNoLight) return 0.0f;
   const auto k = static_cast<std::size_t>(spectrum);
   const Group& group = groups_[k];
-  const Place& place = places_[light];
   float probability = group.table.probability(place.entry);
   if (!spectra.empty()) probability *= spectra[k];
   if (group.lights[place.entry] == kNoLight) probability *= group.tree.probability(at, place.leaf);

@@ -58,8 +58,8 @@ class LightSampler {
   };
   /// Where a light stands in its group.
   struct Place {
-    std::uint32_t entry = 0;  ///< of the table
-    std::uint32_t leaf = 0;   ///< of the tree, when that is the entry
+    std::uint32_t entry = kNoLight;  ///< of the table; kNoLight: it seems dark and is never chosen
+    std::uint32_t leaf = 0;          ///< of the tree, when that is the entry
   };
 
   void make_group(Group& group, std::span<const std::uint32_t> members, std::span<const double> weight);
