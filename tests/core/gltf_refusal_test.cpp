@@ -89,6 +89,18 @@ const Fault kFaults[] = {
      [](SquareFile& f) { f.materials = R"([{"extras": {"emision_spectrum": "cie:A"}}])"; }},
     {"/materials/0/extras/reflectance_spectrum",
      [](SquareFile& f) { f.materials = R"([{"extras": {"reflectance_spectrum": 7}}])"; }},
+    {"/materials/0/extras/emission_spectrum",  // tinygltf drops these and what follows
+     [](SquareFile& f) { f.materials = R"([{"extras": {"emission_spectrum": {"nm": [], "value": []}}}])"; }},
+    {"/materials/0/extras/emission_spectrum",
+     [](SquareFile& f) {
+       f.materials =
+           R"([{"extras": {"emission_spectrum": {"nm": [400, null, 700], "value": [1, null, 2]}}}])";
+     }},
+    {"/extensions/KHR_lights_punctual/lights/0/extras",
+     [](SquareFile& f) {
+       f.more =
+           R"(, "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "extras": {"reflectance_spectrum": "cie:A"}}]}})";
+     }},
     {"/cameras/0/perspective/yfov",
      [](SquareFile& f) { f.more = R"(, "cameras": [{"type": "perspective", "perspective": {"yfov": 0}}])"; }},
     {"/cameras/0/extras/resolution",
