@@ -2,7 +2,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -42,6 +44,16 @@ void check_image(const Place& at) {
     at.fail(at.has("uri") ? "it has both a uri and a bufferView" : "it has neither uri nor bufferView");
 }
 
+/// A node listed twice would be drawn twice, and its lights shine twice.
+void check_unique(const Place& object, const char* list) {
+  std::set<std::int64_t> seen;
+  for_each_in(object, list, [&](const Place& at) {
+    if (!seen.insert(at.value.get<std::int64_t>()).second)
+      at.fail(fmt::format("node {} stands twice in this list", at.value.get<std::int64_t>()),
+              "take one of them out");
+  });
+}
+
 void check_spectrum(const Place& at) {
   constexpr const char* kRemedy = "write a spectrum's name or {\"nm\": [...], \"value\": [...]}";
   if (at.value.is_string() || at.value.is_null()) return;
@@ -74,6 +86,8 @@ void check_spectra(const Place& object, std::initializer_list<std::string_view> 
 void check_objects(const Place& root) {
   for_each_in(root, "cameras", check_camera);
   for_each_in(root, "images", check_image);
+  for_each_in(root, "scenes", [](const Place& scene) { check_unique(scene, "nodes"); });
+  for_each_in(root, "nodes", [](const Place& node) { check_unique(node, "children"); });
   for_each_in(root, "materials", [](const Place& material) {
     check_spectra(material, {"emission_spectrum", "reflectance_spectrum"});
   });
