@@ -1,5 +1,7 @@
 #include "command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
@@ -22,6 +24,18 @@ const CLI::Validator kFinite(
       return number ? std::string() : "Value " + text + " is not a number from -100 to 100";
     },
     "-100…100");
+
+/// CLI::Range lets "nan" pass.
+CLI::Validator number_between(double min, double max) {
+  const std::string range = fmt::format("{} to {}", min, max);
+  const auto check = [min, max, range](std::string& text) {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && value >= min && value <= max;
+    return good ? std::string() : "Value " + text + " is not a number from " + range;
+  };
+  return {check, range};
+}
+const CLI::Validator kSeconds = number_between(1e-3, 1e9), kDeltaE = number_between(1e-3, 1e3);
 
 /// What a scene is loaded with.
 void bind_scene_file(CLI::App& command, SceneArguments& a) {
@@ -105,14 +119,14 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option("--time", a->scene.seconds,
                   "End the render after so many seconds, scene and optimisation not counted; without --spp "
                   "as many samples as fit")
-      ->check(CLI::Range(1e-3, 1e9))
+      ->check(kSeconds)
       ->type_name("SECONDS");
   command
       .add_option(
           "--target-error", a->scene.target_error,
           "End each 16x16 pixels when their expected mean ΔE (CIEDE2000, 0 EV) is this or less; without "
           "--spp however many samples that takes")
-      ->check(CLI::Range(1e-3, 1e3))
+      ->check(kDeltaE)
       ->type_name("ΔE");
   command.parse_complete_callback([a, &command] {
     const bool limited = a->scene.seconds > 0 || a->scene.target_error > 0;

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -29,6 +30,11 @@ Rgb color_under_d65(const Spectrum& reflectance) {
   static const double white = emission_xyz(d65, Observer::cie1931()).y;
   return xyz_to_linear_srgb(emission_xyz(tabulate_product(reflectance, d65), Observer::cie1931()) *
                             (1.0 / white));
+}
+
+std::string color_text(const Rgb& color) {
+  const auto rounded = [](double x) { return std::abs(x) < 5e-4 ? 0.0 : x; };  // no "-0.000"
+  return fmt::format("{:.3f} {:.3f} {:.3f}", rounded(color.r), rounded(color.g), rounded(color.b));
 }
 
 std::string kind_of(const Material& m) {
@@ -149,10 +155,10 @@ ReportSection report_materials(const Scene& scene) {
     const Vec3f shown = m.base_factor;
     const Rgb color = m.unlit ? Rgb{shown.x, shown.y, shown.z} : color_under_d65(m.base_color);
     const Json parameters = parameters_of(m);
-    section.rows.push_back(
-        {m.name, kind_of(m), fmt::format("{:.3f} {:.3f} {:.3f}", color.r, color.g, color.b),
-         triangles[i] > 0 ? std::to_string(triangles[i]) : "not used", parameters_text(parameters),
-         fmt::format("{}", fmt::join(texture_names(m), ", "))});
+    section.rows.push_back({m.name.empty() ? "(no name)" : m.name, kind_of(m), color_text(color),
+                            triangles[i] > 0 ? std::to_string(triangles[i]) : "not used",
+                            parameters_text(parameters),
+                            fmt::format("{}", fmt::join(texture_names(m), ", "))});
     section.json.push_back({{"name", m.name},
                             {"kind", kind_of(m)},
                             {"color_linear_srgb", {color.r, color.g, color.b}},

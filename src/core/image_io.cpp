@@ -155,7 +155,9 @@ Image read_image(const std::filesystem::path& file) {
          "give a smaller picture");
   }
   if (spec.nchannels < 3)
-    fail(fmt::format("it has {} channels where 3 are needed", spec.nchannels), "give a picture in colour");
+    fail(
+        fmt::format("it has {} channel{} where 3 are needed", spec.nchannels, spec.nchannels == 1 ? "" : "s"),
+        "give a picture in colour");
   const bool encoded = !spec.format.is_floating_point();
   Image image(spec.width, spec.height);
   const int rgb = find_channels(spec, {"R", "G", "B"}), xyz = find_channels(spec, {"X", "Y", "Z"});

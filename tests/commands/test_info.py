@@ -40,6 +40,18 @@ class Info(CommandTest):
             self.assertIn(word, text)
         self.assertRegex(text, "650[345] K")
 
+    def test_names_left_out_and_zeros_read_well(self):
+        scene = tiny_scene()
+        for material in scene["materials"]:
+            material.pop("name")
+        scene["materials"][0]["pbrMetallicRoughness"] = {"baseColorFactor": [1, 0, 0, 1]}
+        self.scene.write_text(json.dumps(scene))
+        text, _ = self.info(self.scene)
+        self.assertIn("(no name)", text)
+        self.assertIn("1.000 0.000 0.000", text)
+        self.assertNotIn("-0.000", text)
+        self.assert_refused(["info", self.scene, "--emitter", "lamp=cie:A"], "no emitter with a name")
+
     def test_options_as_render_has_them(self):
         text, json_ = self.info(self.scene, "--emitter", "lamp=blackbody:2700", "--resolution", "20x10")
         self.assertEqual(json_["lamps"][0]["spectrum"], "blackbody:2700")

@@ -69,6 +69,9 @@ class Refused(CommandTest):
             ("--exposure", "nan"),
             ("--exposure", "inf"),
             ("--exposure", "bright"),
+            ("--time", "0"),
+            ("--time", "nan"),
+            ("--target-error", "nan"),
         ]:
             self.assert_refused(self.render(option, value), option)
         for size in ["0x5", "12", "x", "12x", "70000x1", "-4x4", "4x4x4", "4.5x4", " 4x4"]:

@@ -243,6 +243,10 @@ TEST_F(GltfGeometry, SkinsStandInTheirRestPose) {
   ASSERT_EQ(scene.warnings.size(), 1u);
   EXPECT_NE(scene.warnings[0].find("rest pose"), std::string::npos);
 
+  // Without matrices the joints were bound where the mesh has its origin (glTF 2.0, section 3.7.3.1).
+  file.more = R"(, "skins": [{"joints": [1, 2]}])";
+  expect_near(world_position(load(file.str()), 1), {2, 0, 5});
+
   file.more = fmt::format(R"(, "skins": [{{"joints": [1], "inverseBindMatrices": {}}}])", inverse);
   EXPECT_NE(refusal(file.str()).find("/attributes/JOINTS_0"), std::string::npos);
   file.more = fmt::format(R"(, "skins": [{{"joints": [1, 2, 1], "inverseBindMatrices": {}}}])", inverse);

@@ -312,6 +312,19 @@ TEST_F(GltfTest, OverridesMustNameAnEmitter) {
   EXPECT_NE(text.find("\"a\", \"b\""), std::string::npos) << text;
 }
 
+/// Whole numbers of more than 32 bits keep their value wherever a material holds them.
+TEST_F(GltfTest, LargeWholeNumbersAreNotCut) {
+  SquareFile file;
+  file.primitive += R"(, "material": 0)";
+  file.materials =
+      R"([{"emissiveFactor": [1, 1, 1], "extras": {"emission_spectrum": {"nm": [400, 700], "value": [4294967297, 4294967297]}},
+           "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 3000000000}}}])";
+  const Scene scene = load(file.str());
+  EXPECT_NEAR(scene.materials[0].emission_luminance, 3e9, 3e3);
+  const auto& spectrum = scene.emission_spectra.at(0);
+  EXPECT_NEAR(spectrum(450.0), spectrum(650.0), 1e-9 * spectrum(450.0));
+}
+
 TEST_F(GltfTest, DarkLampsAreRefused) {
   for (const char* spectrum :
        {R"({"nm": [400, 700], "value": [0, 0]})", R"({"nm": [900, 950], "value": [1, 1]})",

@@ -89,6 +89,22 @@ const Fault kFaults[] = {
      [](SquareFile& f) { f.materials = R"([{"extras": {"emision_spectrum": "cie:A"}}])"; }},
     {"/materials/0/extras/reflectance_spectrum",
      [](SquareFile& f) { f.materials = R"([{"extras": {"reflectance_spectrum": 7}}])"; }},
+    {"/materials/0/extras/emission_spectrum",  // tinygltf drops these and what follows
+     [](SquareFile& f) { f.materials = R"([{"extras": {"emission_spectrum": {"nm": [], "value": []}}}])"; }},
+    {"/materials/0/extras/emission_spectrum",
+     [](SquareFile& f) {
+       f.materials =
+           R"([{"extras": {"emission_spectrum": {"nm": [400, null, 700], "value": [1, null, 2]}}}])";
+     }},
+    {"/materials/0/extras/glass",
+     [](SquareFile& f) { f.materials = R"([{"extras": {"conductor": "Au", "glass": "BK7"}}])"; }},
+    {"/scenes/0/nodes/1", [](SquareFile& f) { f.roots = "[0, 0]"; }},
+    {"/nodes/0/children/1", [](SquareFile& f) { f.nodes = R"([{"children": [1, 1]}, {"mesh": 0}])"; }},
+    {"/extensions/KHR_lights_punctual/lights/0/extras",
+     [](SquareFile& f) {
+       f.more =
+           R"(, "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "extras": {"reflectance_spectrum": "cie:A"}}]}})";
+     }},
     {"/cameras/0/perspective/yfov",
      [](SquareFile& f) { f.more = R"(, "cameras": [{"type": "perspective", "perspective": {"yfov": 0}}])"; }},
     {"/cameras/0/extras/resolution",
@@ -126,12 +142,13 @@ TEST_F(GltfTest, DeepNestingIsRefusedBeforeParsing) {
   EXPECT_NE(text.find("nested"), std::string::npos) << text;
 }
 
-/// 40 levels of two children each, both the same node: 2^40 instances.
+/// 40 levels of two nodes, each the parent of both on the next: 2^40 instances.
 TEST_F(GltfTest, GraphsThatMultiplyAreRefused) {
   SquareFile file;
   file.nodes = "[";
-  for (int i = 0; i < 40; ++i) file.nodes += fmt::format(R"({{"children": [{0}, {0}]}}, )", i + 1);
-  file.nodes += R"({"mesh": 0}])";
+  for (int i = 0; i < 80; ++i)
+    file.nodes += fmt::format(R"({{"children": [{}, {}]}}, )", i / 2 * 2 + 2, i / 2 * 2 + 3);
+  file.nodes += R"({"mesh": 0}, {"mesh": 0}])";
   EXPECT_NE(refusal(file.str()).find("multiply"), std::string::npos);
 }
 

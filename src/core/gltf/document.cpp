@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/gltf/checks.h"
@@ -73,16 +75,32 @@ std::vector<std::filesystem::path> named_files(const GltfDocument& document, con
   return files;
 }
 
+/// Whole numbers that tinygltf would cut to 32 bits, as it does in extensions and extras, become fractions.
+void widen_integers(Json& value, bool cut = false) {
+  constexpr double kMaxInt = std::numeric_limits<int>::max();
+  if (cut && value.is_number_integer() && std::abs(value.get<double>()) > kMaxInt)
+    value = value.get<double>();
+  if (value.is_array())
+    for (Json& element : value) widen_integers(element, cut);
+  if (value.is_object())
+    for (auto& [key, member] : value.items())
+      widen_integers(member, cut || key == "extensions" || key == "extras");
+}
+
 /// tinygltf is given only what has been checked and is needed. It insists on znear, which a path tracer
-/// ignores, and refuses indices without a bufferView, which are valid when sparse: an extra, last view stands
-/// for "none" (the accessors' reader knows).
+/// ignores, and on inverseBindMatrices, which may be left out (unit matrices then); it refuses indices
+/// without a bufferView, which are valid when sparse: an extra, last view stands for "none" (the accessors'
+/// reader knows).
 std::string text_for_tinygltf(Json& json) {
   for (const char* unused : {"buffers", "images", "animations"}) json.erase(unused);
+  widen_integers(json);
   if (json.contains("cameras")) {
     for (Json& camera : json["cameras"]) {
       if (camera.contains("perspective")) camera["perspective"].emplace("znear", 0.01);
     }
   }
+  if (json.contains("skins"))
+    for (Json& skin : json["skins"]) skin.emplace("inverseBindMatrices", -1);
   if (json.contains("accessors")) {
     const std::size_t none = json.contains("bufferViews") ? json["bufferViews"].size() : 0;
     json["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 1}});

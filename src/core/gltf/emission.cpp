@@ -123,7 +123,8 @@ GltfEmissions::Added GltfEmissions::add(const GltfEmitter& emitter) {
   if (!given)
     given = emission_from_rgb(
         emitter.color, document_.file.path.string() + "#" + emitter.pointer + "/" + emitter.color_member);
-  if (emitter.is_lamp && std::ranges::count(names_, emitter.name) == 0) names_.push_back(emitter.name);
+  if (emitter.is_lamp && !emitter.name.empty() && std::ranges::count(names_, emitter.name) == 0)
+    names_.push_back(emitter.name);
   const std::string key = digest(given->spectrum);
   const auto found = std::ranges::find(digests_, key);
   const auto index = static_cast<int>(found - digests_.begin());
@@ -143,10 +144,10 @@ void GltfEmissions::check_dark(const tinygltf::Value& extras, const std::string&
 void GltfEmissions::check_overrides() const {
   for (const EmitterOverride& given : overrides_) {
     if (given.name.empty() || std::ranges::count(names_, given.name) > 0) continue;
-    throw InputError("--emitter " + given.name + "=" + given.text,
-                     "no emissive material or light has that name",
-                     names_.empty() ? document_.file.path.string() + " has none"
-                                    : fmt::format("choose one of \"{}\"", fmt::join(names_, "\", \"")));
+    throw InputError(
+        "--emitter " + given.name + "=" + given.text, "no emissive material or light has that name",
+        names_.empty() ? document_.file.path.string() + " has no emitter with a name: leave NAME= out"
+                       : fmt::format("choose one of \"{}\"", fmt::join(names_, "\", \"")));
   }
 }
 

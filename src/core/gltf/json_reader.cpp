@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/gltf/json_place.h"
@@ -95,6 +96,9 @@ std::string parser_message(const std::string& text) {
   const std::size_t tag = text.find("] ");
   std::string message = without_controls(text.substr(tag == std::string::npos ? 0 : tag + 2, 300));
   while (message.ends_with(' ')) message.pop_back();
+  // It quotes what may be no text in UTF-8, or cut off amid a letter.
+  std::ranges::replace_if(
+      message, [](char c) { return static_cast<unsigned char>(c) > 127; }, '?');
   return message;
 }
 

@@ -14,18 +14,10 @@
 namespace photopic {
 namespace {
 
-std::vector<double> numbers(const GltfDocument& document, const std::string& pointer,
-                            const tinygltf::Value& spectrum, const char* key) {
-  const tinygltf::Value& list = spectrum.Get(key);
+std::vector<double> numbers(const tinygltf::Value& list) {
   std::vector<double> values;
-  bool good = list.IsArray();
-  for (std::size_t i = 0; good && i < list.ArrayLen(); ++i) {
-    good = list.Get(static_cast<int>(i)).IsNumber();
-    if (good) values.push_back(list.Get(static_cast<int>(i)).GetNumberAsDouble());
-  }
-  if (!good)
-    document.fail(pointer, fmt::format("\"{}\" is not a list of numbers", key),
-                  "write {\"nm\": [...], \"value\": [...]}");
+  for (std::size_t i = 0; i < list.ArrayLen(); ++i)
+    values.push_back(list.Get(static_cast<int>(i)).GetNumberAsDouble());
   return values;
 }
 
@@ -90,21 +82,9 @@ void find_vertex_colors(const GltfDocument& document, std::vector<Material>& mat
     }
 }
 
-/// A misspelt key would make a wrong picture without a word.
-void check_spectrum_keys(const GltfDocument& document, std::size_t index) {
-  const tinygltf::Value& extras = document.model.materials[index].extras;
-  if (!extras.IsObject()) return;
-  for (const std::string& key : extras.Keys()) {
-    if (!key.ends_with("_spectrum") || key == "emission_spectrum" || key == "reflectance_spectrum") continue;
-    document.fail(fmt::format("/materials/{}/extras", index), fmt::format("\"{}\" is not known", key),
-                  "write \"emission_spectrum\" or \"reflectance_spectrum\"");
-  }
-}
-
 Material load_material(const GltfDocument& document, std::size_t index) {
   const tinygltf::Material& source = document.model.materials[index];
   const std::string pointer = fmt::format("/materials/{}", index);
-  check_spectrum_keys(document, index);
   const Extension specular(source, "KHR_materials_specular"), ior(source, "KHR_materials_ior");
   const Extension transmission(source, "KHR_materials_transmission"), volume(source, "KHR_materials_volume");
 
@@ -170,8 +150,7 @@ std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, cons
       const auto& text = value.Get<std::string>();
       return ExtrasSpectrum{parse_spectrum(text, document.folder(), beyond), text};
     }
-    const TabulatedSpectrum table(numbers(document, pointer, value, "nm"),
-                                  numbers(document, pointer, value, "value"), beyond);
+    const TabulatedSpectrum table(numbers(value.Get("nm")), numbers(value.Get("value")), beyond);
     return ExtrasSpectrum{table, owner};
   } catch (const std::invalid_argument& error) {
     document.fail(pointer, error.what(), "correct the spectrum");

@@ -52,6 +52,9 @@ DielectricIndex cauchy(const GltfDocument& document, std::size_t index, const ti
 void load_glass(const GltfDocument& document, std::size_t index, Material& material) {
   const tinygltf::Value* value = extra(document, index, "glass");
   if (value == nullptr) return;
+  if (extra(document, index, "conductor") != nullptr)
+    document.fail(extras_pointer(index, "glass"), "the material has a \"conductor\", too",
+                  "take one of them out");
   const std::string name = value->IsString() ? value->Get<std::string>() : "";
   std::optional<DielectricIndex> glass = glass_index(name);
   if (value->IsObject() && value->Has("cauchy")) glass = cauchy(document, index, value->Get("cauchy"));

@@ -14,7 +14,8 @@ void check_bytes(const Place& root);
 /// @throws InputError
 void check_meshes(const Place& root);
 
-/// Cameras, lights and images: members that depend on each other.
+/// Cameras, lights and images: members that depend on each other. Lists of nodes: none twice. Materials and
+/// lights: the spectra in their `extras`.
 /// @throws InputError
 void check_objects(const Place& root);
 

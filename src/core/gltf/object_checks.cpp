@@ -1,6 +1,12 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <initializer_list>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "core/gltf/member_checks.h"
 
@@ -38,13 +44,59 @@ void check_image(const Place& at) {
     at.fail(at.has("uri") ? "it has both a uri and a bufferView" : "it has neither uri nor bufferView");
 }
 
+/// A node listed twice would be drawn twice, and its lights shine twice.
+void check_unique(const Place& object, const char* list) {
+  std::set<std::int64_t> seen;
+  for_each_in(object, list, [&](const Place& at) {
+    if (!seen.insert(at.value.get<std::int64_t>()).second)
+      at.fail(fmt::format("node {} stands twice in this list", at.value.get<std::int64_t>()),
+              "take one of them out");
+  });
+}
+
+void check_spectrum(const Place& at) {
+  constexpr const char* kRemedy = "write a spectrum's name or {\"nm\": [...], \"value\": [...]}";
+  if (at.value.is_string() || at.value.is_null()) return;
+  if (!at.value.is_object()) at.fail("this is no spectrum", kRemedy);
+  const auto is_number = [](const Json& number) { return number.is_number(); };
+  for (const char* key : {"nm", "value"}) {
+    const bool good = at.has(key) && at.value.at(key).is_array() && !at.value.at(key).empty() &&
+                      std::ranges::all_of(at.value.at(key), is_number);
+    if (!good) at.fail(fmt::format("\"{}\" is not a list of numbers", key), kRemedy);
+  }
+}
+
+/// The spectra in an object's `extras`. A misspelt key would make a wrong picture without a word, and so
+/// would a null or an empty list: tinygltf drops them.
+void check_spectra(const Place& object, std::initializer_list<std::string_view> known) {
+  if (!object.has("extras")) return;
+  const Place extras = object.member("extras");
+  if (!extras.value.is_object()) return;
+  for (auto& [key, value] : extras.value.items()) {
+    if (!key.ends_with("_spectrum")) continue;
+    if (std::ranges::count(known, key) == 0)
+      extras.fail(fmt::format("\"{}\" is not known here", key.substr(0, 60)),
+                  fmt::format("write \"{}\"", fmt::join(known, "\" or \"")));
+    check_spectrum(extras.member(key, value));
+  }
+}
+
 }  // namespace
 
 void check_objects(const Place& root) {
   for_each_in(root, "cameras", check_camera);
   for_each_in(root, "images", check_image);
-  for_extension(root, "KHR_lights_punctual",
-                [](const Place& lights) { for_each_in(lights, "lights", check_light); });
+  for_each_in(root, "scenes", [](const Place& scene) { check_unique(scene, "nodes"); });
+  for_each_in(root, "nodes", [](const Place& node) { check_unique(node, "children"); });
+  for_each_in(root, "materials", [](const Place& material) {
+    check_spectra(material, {"emission_spectrum", "reflectance_spectrum"});
+  });
+  for_extension(root, "KHR_lights_punctual", [](const Place& lights) {
+    for_each_in(lights, "lights", [](const Place& light) {
+      check_light(light);
+      check_spectra(light, {"emission_spectrum"});
+    });
+  });
 }
 
 }  // namespace photopic
