@@ -141,6 +141,11 @@ TEST_F(GltfTest, DefaultSky) {
   const Scene warm = load_gltf(write("dark.gltf", file.str()), {.emitters = {{"", "cie:A"}}});
   EXPECT_EQ(warm.emission_names, (std::vector<std::string>{"cie:A"}));
 
+  // A picture of itself lights nothing.
+  file.materials = R"([{"extensions": {"KHR_materials_unlit": {}}}])";
+  file.primitive += R"(, "material": 0)";
+  EXPECT_TRUE(load_gltf(write("unlit.gltf", file.str())).environment);
+
   SquareFile lit = lit_square(R"({"type": "point"})", light_node(0) + R"(, {"camera": 0})", "1, 2");
   lit.more += kCamera;
   EXPECT_FALSE(load_gltf(write("lit.gltf", lit.str())).environment);

@@ -123,6 +123,7 @@ GltfEmissions::Added GltfEmissions::add(const GltfEmitter& emitter) {
   if (!given)
     given = emission_from_rgb(
         emitter.color, document_.file.path.string() + "#" + emitter.pointer + "/" + emitter.color_member);
+  has_lamp_ |= emitter.is_lamp;
   if (emitter.is_lamp && !emitter.name.empty() && std::ranges::count(names_, emitter.name) == 0)
     names_.push_back(emitter.name);
   const std::string key = digest(given->spectrum);

@@ -36,6 +36,9 @@ class GltfEmissions {
   /// Refuses an object that emits nothing, but names a lamp in its extras: a mistake worth telling.
   void check_dark(const tinygltf::Value& extras, const std::string& pointer, const std::string& remedy) const;
 
+  /// Whether any of those added is a lamp.
+  bool has_lamp() const { return has_lamp_; }
+
   /// @throws InputError for overrides that name none of those added
   void check_overrides() const;
 
@@ -44,6 +47,7 @@ class GltfEmissions {
   const std::vector<EmitterOverride>& overrides_;
   Scene& scene_;
   std::vector<std::string> digests_, names_;
+  bool has_lamp_ = false;
 };
 
 /// Gives the scene's used materials (those of a shape) their emission: emissiveFactor's luminance ×

@@ -78,6 +78,9 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
     (is_unbounded(i) ? unbounded : bounded) += power[i];
   }
 
+  // Specks of light on a dark texture may escape all estimates: then each spectrum counts alike.
+  if (!(bounded + unbounded > 0.0)) std::ranges::fill(power_of_spectrum_, 1.0);
+
   // What they are chosen by.
   const double factor = balance(bounded, unbounded), total = bounded + factor * unbounded;
   for (std::uint32_t i = 0; i < power.size(); ++i) power[i] *= (is_unbounded(i) ? factor : 1.0) / total;
