@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "commands.h"
@@ -123,6 +124,7 @@ int run_render(const RenderArguments& arguments) {
   if (result.stats.paths == 0) return interrupted_early();
 
   Run run = make_run(arguments.sampler, options.spp, wavelengths, options.seed, result);
+  if (options.seconds > 0 || options.target_error > 0) run.spp = static_cast<int>(std::lround(run.mean_spp));
   run.optimize_seconds = chosen.optimize_seconds;
   run.image = arguments.outputs.front().string();
   const Stopwatch write_watch;
@@ -130,7 +132,11 @@ int run_render(const RenderArguments& arguments) {
   times.write = write_watch.seconds();
 
   if (!arguments.json.empty()) write_json(arguments, scene.scene, run, times);
-  if (options.stats) print_stats(scene.scene, run, times);
+  if (options.stats)
+    print_stats(scene.scene, run, times);
+  else if (run.stats.expected_delta_e && !options.quiet)
+    fmt::print("a mean ΔE of {:.3g} is expected, after {:.4g} samples a pixel\n", *run.stats.expected_delta_e,
+               run.mean_spp);
   if (!result.stats.stopped) return kExitDone;
   print_warning("interrupted: the image holds the samples done so far");
   return kExitInterrupted;

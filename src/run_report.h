@@ -15,7 +15,7 @@ namespace photopic {
 struct Run {
   std::string sampler;
   std::string image;    ///< the file it was written to or read from; empty: none
-  int spp = 0;          ///< asked for, at most
+  int spp = 0;          ///< asked for; of a limited render: taken, rounded
   double mean_spp = 0;  ///< taken, mean over the pixels
   int wavelengths = 0;
   std::uint32_t seed = 0;
