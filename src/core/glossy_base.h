@@ -15,8 +15,9 @@ class GlossyBase {
  public:
   GlossyBase(const ShadingMaterial<N>& m, Vec3f wo) : roughness_(m.roughness()) {
     const MaterialExtensions& x = *m.surface().extensions;
-    strength_ = x.anisotropy;
-    cos_turn_ = std::cos(x.anisotropy_rotation), sin_turn_ = std::sin(x.anisotropy_rotation);
+    const auto grain = m.grain();
+    strength_ = grain.strength;
+    cos_turn_ = std::cos(grain.rotation), sin_turn_ = std::sin(grain.rotation);
     ggx_ = AnisotropicGgx::of(roughness_, strength_);
     wo_ = to_grain(wo);
     set_colors(m, x);
@@ -83,16 +84,16 @@ class GlossyBase {
     auto metal = x.conductor ? ConductorBsdf<N>::measured(m)
                              : SpectralFresnel<N>::schlick(base, SampledSpectrum<N>(1.0f));
     if (x.iridescence > 0.0f) {
-      SurfaceFilm<N> film{x.iridescence, x.iridescence_ior};
-      film.phase = SampledSpectrum<N>(2.0f * kPi * x.iridescence_thickness) / m.lambda();
+      SurfaceFilm<N> film{m.iridescence(), x.iridescence_ior};
+      film.phase = SampledSpectrum<N>(2.0f * kPi * m.film_thickness()) / m.lambda();
       dielectric.put_on(film), metal.put_on(film);
     }
     if (metallic_ < 1.0f) dielectric_ = FresnelFit<N>(dielectric);
     if (metallic_ > 0.0f) metal_ = FresnelFit<N>(metal);
     const float diffuse = 1.0f - metallic_;
-    reflected_ = base * (diffuse * (1.0f - x.diffuse_transmission));
-    passed_ =
-        sample_spectrum<N>(x.diffuse_transmission_color, m.lambda()) * (diffuse * x.diffuse_transmission);
+    const float through = m.diffuse_transmission();
+    reflected_ = base * (diffuse * (1.0f - through));
+    passed_ = m.diffuse_transmission_color() * (diffuse * through);
   }
 
   /// What depends on wo alone.

@@ -17,17 +17,18 @@ class LayeredBsdf {
   static constexpr bool kHasGrain = true;  ///< the frame's s and t matter
 
   LayeredBsdf(const ShadingMaterial<N>& m, Vec3f wo)
-      : wo_(wo), base_(m, wo), sheen_(m.surface().extensions->sheen_roughness, {0, 0, 0}) {
+      : wo_(wo), base_(m, wo), sheen_(m.sheen_roughness(), {0, 0, 0}) {
     if (wo.z <= 0.0f) return;
     const MaterialExtensions& x = *m.surface().extensions;
-    coat_ = x.clearcoat, coat_ggx_ = {sqr(x.clearcoat_roughness)};
-    const float coat_albedo = coat_ > 0.0f ? coat_ * schlick(coat_factors(x.clearcoat_roughness)) : 0.0f;
+    const float coat_roughness = m.clearcoat_roughness();
+    coat_ = m.clearcoat(), coat_ggx_ = {sqr(coat_roughness)};
+    const float coat_albedo = coat_ > 0.0f ? coat_ * schlick(coat_factors(coat_roughness)) : 0.0f;
     under_coat_ = 1.0f - coat_albedo;
     under_sheen_ = SampledSpectrum<N>(under_coat_);
     float sheen_albedo = 0.0f;
     if (x.has_sheen()) {
-      sheen_ = Sheen(x.sheen_roughness, wo);
-      sheen_color_ = sample_spectrum<N>(x.sheen_color, m.lambda());
+      sheen_ = Sheen(m.sheen_roughness(), wo);
+      sheen_color_ = m.sheen_color();
       under_sheen_ = (SampledSpectrum<N>(1.0f) - sheen_color_ * sheen_.albedo()) * under_coat_;
       sheen_albedo = sheen_color_.sum() / N * sheen_.albedo() * under_coat_;
     }

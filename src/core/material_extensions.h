@@ -20,7 +20,8 @@ struct MaterialExtensions {
   float anisotropy_rotation = 0.0f;   ///< of the direction of least sharpness against the tangent [rad]
   float iridescence = 0.0f;           ///< share of the surface that has the film, in [0, 1]
   float iridescence_ior = 1.3f;       ///< ≥ 1
-  float iridescence_thickness = 400;  ///< [nm]
+  float iridescence_thickness = 400;  ///< [nm]; where a texture is white, if there is one
+  float thinnest_film = 100;          ///< [nm]; where it is black
   float diffuse_transmission = 0.0f;
   Spectrum diffuse_transmission_color = ConstantSpectrum{1.0};
 

@@ -28,6 +28,15 @@ struct MaterialTextures {
   Texture transmission;  ///< red
   Texture specular;      ///< alpha
   Texture specular_color;
+  Texture clearcoat;            ///< red
+  Texture clearcoat_roughness;  ///< green
+  Texture sheen_color;
+  Texture sheen_roughness;        ///< alpha
+  Texture anisotropy;             ///< direction in red and green, [0, 1] for [−1, 1]; strength in blue
+  Texture iridescence;            ///< red
+  Texture iridescence_thickness;  ///< green
+  Texture diffuse_transmission;   ///< alpha
+  Texture diffuse_transmission_color;
 };
 
 /// How alpha (of material × texture × vertex colour) covers the surface: wholly, where it reaches the cutoff,

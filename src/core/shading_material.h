@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "core/surface.h"
 #include "spectral/rgb_table.h"
 
@@ -39,6 +41,45 @@ class ShadingMaterial {
   }
   float specular() const { return surface_.specular * textured(&MaterialTextures::specular, &Vec4f::w); }
 
+  // Of the surface's extensions, which it must have.
+  float clearcoat() const {
+    return extensions().clearcoat * textured(&MaterialTextures::clearcoat, &Vec4f::x);
+  }
+  float clearcoat_roughness() const {
+    return extensions().clearcoat_roughness * textured(&MaterialTextures::clearcoat_roughness, &Vec4f::y);
+  }
+  SampledSpectrum<N> sheen_color() const {
+    return tinted(extensions().sheen_color, &MaterialTextures::sheen_color);
+  }
+  float sheen_roughness() const {
+    return extensions().sheen_roughness * textured(&MaterialTextures::sheen_roughness, &Vec4f::w);
+  }
+  struct Grain {
+    float strength;  ///< in [0, 1]
+    float rotation;  ///< of the direction of least sharpness against the tangent [rad]
+  };
+  Grain grain() const {
+    const Grain whole{extensions().anisotropy, extensions().anisotropy_rotation};
+    if (!has(&MaterialTextures::anisotropy)) return whole;
+    const Vec4f texel = point_.look_up(surface_.textures->anisotropy);
+    return {whole.strength * texel.z,
+            whole.rotation + std::atan2(2.0f * texel.y - 1.0f, 2.0f * texel.x - 1.0f)};
+  }
+  float iridescence() const {
+    return extensions().iridescence * textured(&MaterialTextures::iridescence, &Vec4f::x);
+  }
+  /// [nm]
+  float film_thickness() const {
+    const float thinnest = extensions().thinnest_film, thickest = extensions().iridescence_thickness;
+    return thinnest + (thickest - thinnest) * textured(&MaterialTextures::iridescence_thickness, &Vec4f::y);
+  }
+  float diffuse_transmission() const {
+    return extensions().diffuse_transmission * textured(&MaterialTextures::diffuse_transmission, &Vec4f::w);
+  }
+  SampledSpectrum<N> diffuse_transmission_color() const {
+    return tinted(extensions().diffuse_transmission_color, &MaterialTextures::diffuse_transmission_color);
+  }
+
   /// Of the mix m·metal + (1 − m)·((1 − t)·diffuse + t·glass), what remains when glass was not chosen.
   float opaque_metallic() const {
     const float m = metallic();
@@ -68,6 +109,13 @@ class ShadingMaterial {
   }
   float textured(Texture MaterialTextures::*which, float Vec4f::*channel) const {
     return has(which) ? point_.look_up((*surface_.textures).*which).*channel : 1.0f;
+  }
+  const MaterialExtensions& extensions() const { return *surface_.extensions; }
+  SampledSpectrum<N> tinted(const Spectrum& factor, Texture MaterialTextures::*which) const {
+    const SampledSpectrum<N> color = sample_spectrum<N>(factor, lambda_);
+    if (!has(which)) return color;
+    const Vec4f texel = point_.look_up((*surface_.textures).*which);
+    return color * reflectance({texel.x, texel.y, texel.z});
   }
   float metallic() const {
     return surface_.metallic * textured(&MaterialTextures::metallic_roughness, &Vec4f::z);

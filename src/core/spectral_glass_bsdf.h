@@ -31,8 +31,9 @@ class SpectralGlassBsdf {
         solid_(m.surface().solid),
         tint_(m.base_color()) {
     const MaterialExtensions& x = *m.surface().extensions;
-    film_ = x.iridescence;
+    film_ = x.iridescence > 0.0f ? m.iridescence() : 0.0f;
     film_ior_ = x.iridescence_ior;
+    const float thickness = m.film_thickness();
     const float total = throughput.sum();
     for (int j = 0; j < N; ++j) {
       q_.v[j] = throughput[j] / total;
@@ -41,7 +42,7 @@ class SpectralGlassBsdf {
       ior_.v[j] = static_cast<float>(ior);
       if (!smooth()) ior_.v[j] = std::max(ior_[j], kLeastRoughIor);
       eta_.v[j] = !solid_ || side_ > 0.0f ? ior_[j] : 1.0f / ior_[j];
-      phase_.v[j] = 2.0f * kPi * x.iridescence_thickness / m.lambda()[j];
+      phase_.v[j] = 2.0f * kPi * thickness / m.lambda()[j];
       gain_.v[j] = smooth() || wo_.z == 0.0f ? 1.0f : 1.0f / kept(m, ior_[j]);
     }
     disperses_ = solid_ && x.dispersion && is_dispersive(*x.dispersion);

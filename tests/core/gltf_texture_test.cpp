@@ -75,6 +75,39 @@ TEST_F(GltfTextures, EveryParameterReadsItsChannel) {
   }
 }
 
+TEST_F(GltfTextures, EveryExtensionReadsItsChannel) {
+  const Scene scene =
+      load(file(R"({"extensions": {
+    "KHR_materials_clearcoat": {"clearcoatFactor": 0.5, "clearcoatTexture": {"index": 0},
+      "clearcoatRoughnessFactor": 0.5, "clearcoatRoughnessTexture": {"index": 1}},
+    "KHR_materials_sheen": {"sheenColorFactor": [1, 1, 1], "sheenColorTexture": {"index": 2},
+      "sheenRoughnessFactor": 0.5, "sheenRoughnessTexture": {"index": 3}},
+    "KHR_materials_anisotropy": {"anisotropyStrength": 0.5, "anisotropyRotation": 0.25,
+      "anisotropyTexture": {"index": 4}},
+    "KHR_materials_iridescence": {"iridescenceFactor": 0.5, "iridescenceTexture": {"index": 0},
+      "iridescenceThicknessMinimum": 200, "iridescenceThicknessMaximum": 700,
+      "iridescenceThicknessTexture": {"index": 1}},
+    "KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 0.5,
+      "diffuseTransmissionTexture": {"index": 3}, "diffuseTransmissionColorTexture": {"index": 2}}}})",
+                {texel(51, 9, 9), texel(9, 102, 9), texel(0, 255, 0), texel(9, 9, 9, 204), texel(0, 128, 51)})
+               .str());
+  for (const std::string& warning : scene.warnings)
+    EXPECT_EQ(warning.find("material"), std::string::npos) << warning;
+  const Surface surface(scene.materials[0]);
+  const ShadingMaterial<1> m(surface, SampledSpectrum<1>(600.0f));
+  EXPECT_NEAR(m.clearcoat(), 0.5f * 0.2f, 1e-6f);
+  EXPECT_NEAR(m.clearcoat_roughness(), 0.5f * 0.4f, 1e-6f);
+  EXPECT_NEAR(m.sheen_roughness(), 0.5f * 0.8f, 1e-6f);
+  EXPECT_NEAR(m.grain().strength, 0.5f * 0.2f, 1e-6f);
+  EXPECT_NEAR(m.grain().rotation, 0.25f + kPi, 0.01f);
+  EXPECT_NEAR(m.iridescence(), 0.5f * 0.2f, 1e-6f);
+  EXPECT_NEAR(m.film_thickness(), 200 + 500 * 0.4f, 1e-3f);
+  EXPECT_NEAR(m.diffuse_transmission(), 0.5f * 0.8f, 1e-6f);
+  const float green = tabulated_reflectance(0, 1, 0)(600.0f);
+  EXPECT_NEAR(m.sheen_color()[0], green, 1e-5f);
+  EXPECT_NEAR(m.diffuse_transmission_color()[0], green, 1e-5f);
+}
+
 /// A measured reflectance keeps its shape; the texture gives its luminance.
 TEST_F(GltfTextures, MeasuredReflectanceTimesLuminance) {
   const Scene scene = load(file(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}},

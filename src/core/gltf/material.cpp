@@ -126,10 +126,7 @@ void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& war
     if (count > 0) warnings.push_back(fmt::format("{}: {}", text, count));
   };
   add(bright_specular, "materials with a specularColorFactor above 1, cut to 1");
-  add(unread,
-      "materials with textures of clearcoat, sheen, anisotropy, iridescence or diffuse transmission, "
-      "rendered by "
-      "these extensions' factors alone");
+  add(unread, "materials with a clearcoatNormalTexture, which is not looked at");
 }
 
 }  // namespace

@@ -10,11 +10,6 @@
 namespace photopic {
 namespace {
 
-/// Extensions that are rendered by their factors alone.
-constexpr const char* kWithoutTextures[] = {"KHR_materials_anisotropy", "KHR_materials_clearcoat",
-                                            "KHR_materials_diffuse_transmission", "KHR_materials_iridescence",
-                                            "KHR_materials_sheen"};
-
 std::string extras_pointer(std::size_t index, const char* key) {
   return fmt::format("/materials/{}/extras/{}", index, key);
 }
@@ -90,6 +85,7 @@ void load_surface(const tinygltf::Material& source, MaterialExtensions& x) {
   x.anisotropy_rotation = anisotropy.number("anisotropyRotation", 0.0);
   x.iridescence = film.number("iridescenceFactor", 0.0);
   x.iridescence_ior = film.number("iridescenceIor", 1.3);
+  x.thinnest_film = film.number("iridescenceThicknessMinimum", 100.0);
   x.iridescence_thickness = film.number("iridescenceThicknessMaximum", 400.0);
   const Extension through(source, "KHR_materials_diffuse_transmission");
   x.diffuse_transmission = through.number("diffuseTransmissionFactor", 0.0);
@@ -99,12 +95,7 @@ void load_surface(const tinygltf::Material& source, MaterialExtensions& x) {
 }  // namespace
 
 bool has_unread_textures(const tinygltf::Material& source) {
-  const auto is_texture = [](const std::string& key) { return key.ends_with("Texture"); };
-  return std::ranges::any_of(kWithoutTextures, [&](const char* name) {
-    const auto found = source.extensions.find(name);
-    return found != source.extensions.end() && found->second.IsObject() &&
-           std::ranges::any_of(found->second.Keys(), is_texture);
-  });
+  return Extension(source, "KHR_materials_clearcoat").has("clearcoatNormalTexture");
 }
 
 void load_material_extensions(const GltfDocument& document, std::size_t index, Material& material) {

@@ -127,6 +127,19 @@ std::vector<GltfTextureUse> gltf_texture_uses(const GltfDocument& document, std:
   uses.add_of_extension(&M::transmission, "KHR_materials_transmission", "transmissionTexture", false);
   uses.add_of_extension(&M::specular, "KHR_materials_specular", "specularTexture", false);
   uses.add_of_extension(&M::specular_color, "KHR_materials_specular", "specularColorTexture", true);
+  uses.add_of_extension(&M::clearcoat, "KHR_materials_clearcoat", "clearcoatTexture", false);
+  uses.add_of_extension(&M::clearcoat_roughness, "KHR_materials_clearcoat", "clearcoatRoughnessTexture",
+                        false);
+  uses.add_of_extension(&M::sheen_color, "KHR_materials_sheen", "sheenColorTexture", true);
+  uses.add_of_extension(&M::sheen_roughness, "KHR_materials_sheen", "sheenRoughnessTexture", false);
+  uses.add_of_extension(&M::anisotropy, "KHR_materials_anisotropy", "anisotropyTexture", false);
+  uses.add_of_extension(&M::iridescence, "KHR_materials_iridescence", "iridescenceTexture", false);
+  uses.add_of_extension(&M::iridescence_thickness, "KHR_materials_iridescence", "iridescenceThicknessTexture",
+                        false);
+  uses.add_of_extension(&M::diffuse_transmission, "KHR_materials_diffuse_transmission",
+                        "diffuseTransmissionTexture", false);
+  uses.add_of_extension(&M::diffuse_transmission_color, "KHR_materials_diffuse_transmission",
+                        "diffuseTransmissionColorTexture", true);
   return uses.list;
 }
 
