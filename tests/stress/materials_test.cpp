@@ -16,10 +16,11 @@ SceneBuilder furnace(const Material& m) {
   return b;
 }
 
-/// Rough glass in a furnace of 3 cd/m²; noisy where the index is high, as radiance grows with its square.
-void expect_clear(const Film& film, const std::string& what) {
+/// Rough glass in a furnace of 3 cd/m². @param largest_error that the estimate may have
+void expect_clear(const Film& film, const std::string& what, double largest_error = 0.06) {
   const Estimate e = luminance(film);
-  EXPECT_NEAR(e.mean, 3.0, 4.5 * e.error + 0.02) << what << ", error " << e.error;
+  EXPECT_LT(e.error, largest_error) << what;
+  EXPECT_NEAR(e.mean, 3.0, 4.5 * e.error + 0.02) << what;
 }
 
 /// White and clear things stay unseen in a furnace through the whole range of roughness, the change to a
@@ -34,7 +35,7 @@ TEST(Materials, RoughnessInFineSteps) {
                      "plastic " + std::to_string(roughness), 0.006);
     for (bool thin : {false, true}) {
       const Material m = thin ? thin_glass(1.5f, roughness) : solid_glass(1.5f, roughness);
-      expect_clear(render_finite(furnace(m), 60, 200),
+      expect_clear(render_finite(furnace(m), 100, 200),
                    (thin ? "pane " : "glass ") + std::to_string(roughness));
     }
   }
@@ -49,8 +50,10 @@ TEST(Materials, IndicesOfRefraction) {
     expect_luminance(render_finite(furnace(plastic(ConstantSpectrum{1.0}, 0.5f, ior)), 60), 3.0,
                      "plastic " + std::to_string(ior), 0.006);
     for (float roughness : {0.04f, 0.2f, 1.0f}) {
+      // Where the index is high, radiance grows with its square, and so does the noise.
       expect_clear(render_finite(furnace(solid_glass(ior, roughness)), 60, 200),
-                   "rough glass " + std::to_string(ior) + " " + std::to_string(roughness));
+                   "rough glass " + std::to_string(ior) + " " + std::to_string(roughness),
+                   ior > 2.0f ? 0.8 : 0.06);
     }
   }
 }
