@@ -15,7 +15,7 @@ from gltf_writer import Scene, lambert, lamp
 FOLDER = pathlib.Path(__file__).parent / "many-lights"
 SIZE, HEIGHT = 6.0, 4.0  # half the sides and the height of the hall [m]
 COLUMNS, ROWS, HALF = 25, 40, 0.02  # of lamps, and half a lamp's side [m]
-LUMINANCE = 800  # [cd/m2]
+LUMINANCE = 100  # [cd/m2]; exposes the picture well at 0 EV
 LAMPS = {"tube": "cie:FL11", "bulb": "blackbody:2700", "led": "cie:LED-B5"}
 
 
