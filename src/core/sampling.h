@@ -49,8 +49,9 @@ inline float cosine_hemisphere_pdf(float cos_theta) {
 }
 
 /// Barycentric coordinates (of the second and third vertex) of a uniform point of a triangle; density 1/area.
-inline Sample2d sample_triangle(Sample2d u) {
-  const float root = std::sqrt(u.x);
+template <typename T>
+BasicSample2d<T> sample_triangle(BasicSample2d<T> u) {
+  const T root = sqrt(u.x);
   return {1.0f - root, u.y * root};
 }
 

@@ -44,10 +44,11 @@ void ShadingStage<N>::weigh_spectra(PathBatch<N>& batch, std::uint32_t slot) con
 /// What varies over a lamp, at the point that was chosen.
 template <int N>
 SampledSpectrum<N> ShadingStage<N>::lamp_tint(const PathBatch<N>& batch, std::uint32_t slot,
-                                              const LightSample& light) const {
-  const Surface& lamp = scene_.surfaces[light.material];
+                                              std::uint32_t material, std::uint32_t triangle,
+                                              Vec3f position) const {
+  const Surface& lamp = scene_.surfaces[material];
   if (!lamp.emission_varies && !lamp.partly_covers) return SampledSpectrum<N>(1.0f);
-  const TrianglePoint point = triangle_point_at(scene_.scene.geometry, light.triangle, light.end);
+  const TrianglePoint point = triangle_point_at(scene_.scene.geometry, triangle, position);
   return ShadingMaterial<N>(lamp, batch.wavelengths[slot].lambda, point).emission_tint() *
          lamp.coverage(point);
 }
@@ -57,9 +58,10 @@ template <typename Bsdf>
 LightSampleLanes ShadingStage<N>::choose_lights(PathBatch<N>& batch, const Packet& packet, int depth,
                                                 const VertexPacket<N, Bsdf>& vertices) const {
   const SampleStreamLanes stream = batch.stream.gather(packet);
-  const UintLanes choice = stream.bits(bounce_dimension(depth, kLightChoice));
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kLightPoint));
   LightSampleLanes lights;
+  if (scene_.lights.sample_only_light(vertices.point.position, u, lights)) return lights;
+  const UintLanes choice = stream.bits(bounce_dimension(depth, kLightChoice));
   for (int i = 0; i < packet.count; ++i) {
     const std::uint32_t slot = packet[i];
     weigh_spectra(batch, slot);
@@ -80,40 +82,41 @@ void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, i
 
   // What does the BSDF make of it?
   const Vec3Lanes local = vertices.frame.to_local(lights.direction);
-  const IntLanes agree = vertices.sides_agree(lights.direction, local.z);
+  const IntLanes candidates = lights.reached & vertices.sides_agree(lights.direction, local.z);
   std::array<SampledSpectrum<N>, kLanes> f_cos;
   Lanes pdf{};
   for (int i = 0; i < packet.count; ++i) {
-    if (!lights[i] || !agree[i]) continue;
+    if (!candidates[i]) continue;
     const BsdfValue<N> value = vertices.bsdf_of(i).evaluate(lane(local, i));
     f_cos[static_cast<std::size_t>(i)] = value.f_cos, pdf[i] = value.pdf;
   }
-  const Lanes mis = power_heuristic(lights.pdf, pdf), weight = lights.radiance / lights.pdf;
+  const Lanes mis = select(lights.delta != 0, Lanes{} + 1.0f, power_heuristic(lights.pdf, pdf));
+  const Lanes weight = lights.radiance * mis / lights.pdf;
   const Vec3Lanes origin = vertices.point.leave(lights.direction), to_end = lights.end - origin;
 
   // What would arrive?
   for (int i = 0; i < packet.count; ++i) {
     if (pdf[i] == 0.0f) continue;
     const std::uint32_t slot = packet[i];
-    const LightSample& light = *lights[i];
-    const Vec3f wi = light.direction;
+    const Vec3f wi = lane(lights.direction, i);
     SampledSpectrum<N> arriving = batch.throughput[slot] * f_cos[static_cast<std::size_t>(i)] *
-                                  batch.emission_of(slot, light.spectrum) *
-                                  (light.delta ? weight[i] : weight[i] * mis[i]);
-    if (light.environment) {
+                                  batch.emission_of(slot, lights.spectrum[i]) * weight[i];
+    if (lights.environment[i]) {
       const Vec3f rgb = scene_.scene.environment->radiance(wi);
       arriving *= batch.tints[slot](rgb.x, rgb.y, rgb.z);
     }
-    if (light.material != kNoMaterial) arriving *= lamp_tint(batch, slot, light);
+    if (lights.material[i] != kNoMaterial)
+      arriving *= lamp_tint(batch, slot, lights.material[i], lights.triangle[i], lane(lights.end, i));
     if (arriving.is_black()) continue;
+    const float distance = lights.distance[i];
     if (const int medium = vertices.medium_towards(scene_, i, wi, batch.medium[slot]); medium >= 0)
       arriving *= scene_.surfaces[static_cast<std::size_t>(medium)].transmittance(
-          batch.wavelengths[slot].lambda, light.distance);
+          batch.wavelengths[slot].lambda, distance);
 
-    const bool unbounded = std::isinf(light.distance);
+    const bool unbounded = std::isinf(distance);
     batch.shadow_rays.origin.set(slot, lane(origin, i));
     batch.shadow_rays.direction.set(slot, unbounded ? wi : lane(to_end, i));
-    batch.shadow_rays.t_max[slot] = unbounded ? light.distance : 1.0f;
+    batch.shadow_rays.t_max[slot] = unbounded ? distance : 1.0f;
     batch.shadow_radiance[slot] = arriving;
     batch.shadowed.push_back(slot);
   }
@@ -128,12 +131,7 @@ void ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Packet& packe
   const Lanes u_lobe = stream.get_1d(bounce_dimension(depth, kBsdfLobe));
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
   std::array<std::optional<BsdfSample<N>>, kLanes> samples{};
-  Vec3Lanes local{};
-  for (int i = 0; i < packet.count; ++i) {
-    auto& sample = samples[static_cast<std::size_t>(i)];
-    sample = vertices.bsdf_of(i).sample(u_lobe[i], lane(u, i));
-    if (sample) set_lane(local, i, sample->wi);
-  }
+  const Vec3Lanes local = vertices.sample(packet, u_lobe, u, samples);
   const Vec3Lanes wi = vertices.frame.to_world(local), origin = vertices.point.leave(wi);
   const IntLanes agree = vertices.sides_agree(wi, local.z);
 

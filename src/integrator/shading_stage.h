@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/lights/light_sample_lanes.h"
 #include "integrator/vertex_packet.h"
 
 namespace photopic {
@@ -23,7 +22,8 @@ class ShadingStage {
   template <typename Bsdf>
   void shade(PathBatch<N>& batch, BsdfKind kind, int depth);
   void weigh_spectra(PathBatch<N>& batch, std::uint32_t slot) const;
-  SampledSpectrum<N> lamp_tint(const PathBatch<N>& batch, std::uint32_t slot, const LightSample& light) const;
+  SampledSpectrum<N> lamp_tint(const PathBatch<N>& batch, std::uint32_t slot, std::uint32_t material,
+                               std::uint32_t triangle, Vec3f position) const;
   template <typename Bsdf>
   LightSampleLanes choose_lights(PathBatch<N>& batch, const Packet& packet, int depth,
                                  const VertexPacket<N, Bsdf>& vertices) const;

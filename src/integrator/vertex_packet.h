@@ -42,6 +42,23 @@ struct VertexPacket {
   }
   const Bsdf& bsdf_of(int i) const { return *bsdf[static_cast<std::size_t>(i)]; }
 
+  /// Samples of all BSDFs. @return their directions in the shading frame
+  Vec3Lanes sample(const Packet& packet, Lanes u_lobe, const Sample2dLanes& u,
+                   std::array<std::optional<BsdfSample<N>>, kLanes>& samples) const {
+    Vec3Lanes local{};
+    if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>) local = sample_cosine_hemisphere(u);
+    for (int i = 0; i < packet.count; ++i) {
+      auto& sample = samples[static_cast<std::size_t>(i)];
+      if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>) {
+        sample = bsdf_of(i).sample_towards(lane(local, i));
+      } else {
+        sample = bsdf_of(i).sample(u_lobe[i], lane(u, i));
+        if (sample) set_lane(local, i, sample->wi);
+      }
+    }
+    return local;
+  }
+
   /// See Vertex::sides_agree.
   IntLanes sides_agree(Vec3Lanes wi, Lanes cos_theta) const {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
