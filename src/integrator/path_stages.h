@@ -26,6 +26,8 @@ class PathTracer {
   void intersect();
   void escape();
   void absorb_and_emit();
+  void travel(std::uint32_t slot);
+  void pass_hidden_surfaces();
   void sort_by_bsdf(int depth);
   template <typename Bsdf>
   void shade(std::span<const std::uint32_t> slots, int depth);
@@ -43,6 +45,7 @@ class PathTracer {
   const WavelengthSampler& sampler_;
   const RenderOptions& options_;
   PathBatch<N> batch_;
+  PathMedia camera_media_;  ///< around the camera
   RenderStats stats_;
 };
 
