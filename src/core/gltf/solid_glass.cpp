@@ -44,7 +44,7 @@ bool is_closed(const GltfDocument& document, std::uint32_t mesh) {
   for (std::uint32_t i = 0; i < primitives.size(); ++i) {
     if (!is_drawn(primitives[i])) continue;
     const PrimitiveRef ref{mesh, i};
-    const auto positions = read_attribute<Vec3f>(document, ref, "POSITION");
+    const auto positions = read_morphed<Vec3f>(document, ref, -1, "POSITION");
     for_each_triangle(document, ref, [&](const Triangle& t) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = weld(positions[t[k]]), b = weld(positions[t[(k + 1) % 3]]);
