@@ -64,6 +64,7 @@ struct Material {
   bool thin_walled = true;                             ///< thicknessFactor 0: refraction is not seen
   Spectrum attenuation_color = ConstantSpectrum{1.0};  ///< transmittance over attenuation_distance
   float attenuation_distance = 0.0f;                   ///< [m]; 0: no absorption
+  int priority = 0;  ///< where solid glasses overlap the highest is there; among equals the last entered
   MaterialExtensions extensions = {};
   bool double_sided = false;  ///< single-sided surfaces emit from their front only
 

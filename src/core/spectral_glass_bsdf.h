@@ -30,22 +30,22 @@ class SpectralGlassBsdf {
         ggx_{sqr(m.roughness())},
         solid_(m.surface().solid),
         tint_(m.base_color()) {
-    const MaterialExtensions& x = *m.surface().extensions;
-    film_ = x.iridescence > 0.0f ? m.iridescence() : 0.0f;
-    film_ior_ = x.iridescence_ior;
-    const float thickness = m.film_thickness();
+    float thickness = 0.0f;
+    if (const MaterialExtensions* x = m.surface().extensions.get(); x && x->iridescence > 0.0f) {
+      film_ = m.iridescence(), film_ior_ = x->iridescence_ior;
+      thickness = m.film_thickness();
+    }
     const float total = throughput.sum();
     for (int j = 0; j < N; ++j) {
       q_.v[j] = throughput[j] / total;
-      double ior = m.surface().ior;
-      if (x.dispersion) ior = refractive_index(*x.dispersion, m.lambda()[j]);
-      ior_.v[j] = static_cast<float>(ior);
-      if (!smooth()) ior_.v[j] = std::max(ior_[j], kLeastRoughIor);
-      eta_.v[j] = !solid_ || side_ > 0.0f ? ior_[j] : 1.0f / ior_[j];
+      ior_.v[j] = m.surface().index(m.lambda()[j]);
+      if (solid_) outside_.v[j] = m.outside_index(m.lambda()[j]);
+      if (!smooth() && is_index_matched(ior_[j] / outside_[j])) ior_.v[j] = outside_[j] * kLeastRoughIor;
+      eta_.v[j] = !solid_ || side_ > 0.0f ? ior_[j] / outside_[j] : outside_[j] / ior_[j];
       phase_.v[j] = 2.0f * kPi * thickness / m.lambda()[j];
-      gain_.v[j] = smooth() || wo_.z == 0.0f ? 1.0f : 1.0f / kept(m, ior_[j]);
+      gain_.v[j] = smooth() || wo_.z == 0.0f ? 1.0f : 1.0f / kept(m, eta_[j]);
     }
-    disperses_ = solid_ && x.dispersion && is_dispersive(*x.dispersion);
+    disperses_ = solid_ && (m.surface().disperses() || m.outside_disperses());
     if (!smooth() && wo_.z > 0.0f) g1_ = ggx_.g1(wo_);
   }
 
@@ -91,14 +91,14 @@ class SpectralGlassBsdf {
   }
   float filmed(float cos_i, int j) const {
     const bool inside = solid_ && side_ < 0.0f;
-    return ThinFilm{inside ? ior_[j] : 1.0f, film_ior_, {inside ? 1.0f : ior_[j]}, phase_[j]}.reflectance(
-        cos_i);
+    const float from = inside ? ior_[j] : outside_[j], to = inside ? outside_[j] : ior_[j];
+    return ThinFilm{from, film_ior_, {to}, phase_[j]}.reflectance(cos_i);
   }
 
-  float kept(const ShadingMaterial<N>& m, float ior) const {
+  float kept(const ShadingMaterial<N>& m, float eta) const {
     if (!solid_) return GgxAlbedo::table().directional(wo_.z, m.roughness()).total();
     const auto& albedo = m.surface().glass_albedo;  // none where no wavelength is refracted
-    return albedo ? (*albedo)(wo_.z, m.roughness(), ior, side_ < 0.0f) : 1.0f;
+    return albedo ? (*albedo)(wo_.z, m.roughness(), eta) : 1.0f;
   }
 
   std::optional<BsdfSample<N>> bounce(Vec3f m, SampledSpectrum<N> weight) const {
@@ -168,12 +168,14 @@ class SpectralGlassBsdf {
   Ggx ggx_;
   bool solid_, disperses_;
   SampledSpectrum<N> tint_;
-  float film_, film_ior_;
+  float film_ = 0.0f, film_ior_ = 1.0f;
   SampledSpectrum<N> q_;  ///< a wavelength's probability to be chosen
-  SampledSpectrum<N> ior_, eta_;
-  SampledSpectrum<N> phase_;  ///< of the film: 2π·thickness/λ
-  SampledSpectrum<N> gain_;   ///< 1/(share that one bounce keeps)
-  float g1_ = 1.0f;           ///< of wo
+  SampledSpectrum<N> ior_;
+  SampledSpectrum<N> outside_{1.0f};  ///< index of the medium in front
+  SampledSpectrum<N> eta_;            ///< η_t/η_i
+  SampledSpectrum<N> phase_;          ///< of the film: 2π·thickness/λ
+  SampledSpectrum<N> gain_;           ///< 1/(share that one bounce keeps)
+  float g1_ = 1.0f;                   ///< of wo
 };
 
 }  // namespace photopic

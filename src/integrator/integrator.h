@@ -31,8 +31,9 @@ struct RenderStats {
   std::uint64_t paths = 0;
   std::uint64_t rays = 0;  ///< nearest-hit rays
   std::uint64_t shadow_rays = 0;
-  std::uint64_t split_paths = 0;  ///< paths that went on with one wavelength after dispersion
-  std::uint64_t non_finite = 0;   ///< samples that were not finite; left out of the film and counted here
+  std::uint64_t split_paths = 0;      ///< paths that went on with one wavelength after dispersion
+  std::uint64_t media_overflows = 0;  ///< paths that were in more media at once than are kept
+  std::uint64_t non_finite = 0;       ///< samples that were not finite; left out of the film and counted here
   std::optional<double> expected_delta_e{};  ///< mean over the image; where a target_error was set
   bool stopped = false;                      ///< by RenderOptions::stop
 
@@ -41,6 +42,7 @@ struct RenderStats {
     rays += other.rays;
     shadow_rays += other.shadow_rays;
     split_paths += other.split_paths;
+    media_overflows += other.media_overflows;
     non_finite += other.non_finite;
     return *this;
   }

@@ -7,6 +7,7 @@
 #include "core/accel.h"
 #include "core/bsdf.h"
 #include "core/prepared_scene.h"
+#include "integrator/media.h"
 #include "integrator/path_start.h"
 #include "spectral/rgb_light.h"
 
@@ -47,7 +48,7 @@ struct PathBatch {
         radiance(capacity),
         bsdf_pdf(capacity),
         eta_scale(capacity),
-        medium(capacity),
+        media(has_media(scene) ? capacity : 0),
         normal(scene.lights.uses_normals() ? capacity : 0),
         spectrum_choice(scene.lights.several_spectra() ? emission.size() : 0),
         tints(scene.scene.environment ? capacity : 0),
@@ -72,6 +73,11 @@ struct PathBatch {
     return std::span(spectrum_choice).subspan(slot * emission_count_, emission_count_);
   }
 
+  /// What bounds the medium in front of the surface that was hit, or null.
+  const Surface* outside_of(std::uint32_t slot, const PreparedScene& scene) const {
+    return media.empty() ? nullptr : surface_of(scene, media[slot].outside());
+  }
+
   /// The slot's last vertex as the lights see it.
   LightReference vertex_of(std::uint32_t slot) const {
     return {rays.origin[slot], normal.x.empty() ? Vec3f{} : normal[slot]};
@@ -89,7 +95,7 @@ struct PathBatch {
   std::vector<SampledSpectrum<N>> radiance;    ///< gathered so far [cd/m² per unit emission spectrum]
   std::vector<float> bsdf_pdf;   ///< of the last direction [1/sr]; 0: it was a delta, or the camera's
   std::vector<float> eta_scale;  ///< η² of the interfaces crossed: what roulette must not mistake for loss
-  std::vector<std::int32_t> medium;  ///< material of the glass the path is in, −1 outside
+  std::vector<PathMedia> media;  ///< empty where the scene has none
 
   Vec3Array normal;                    ///< of the last vertex, where lights are chosen by it
   std::vector<float> spectrum_choice;  ///< see spectra_of

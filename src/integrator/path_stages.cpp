@@ -17,7 +17,9 @@ PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& w
       sampler_(wavelengths),
       options_(options),
       batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene),
-      shading_(scene) {}
+      shading_(scene) {
+  if (!batch_.media.empty()) camera_media_ = media_at(scene, scene.scene.camera.position);
+}
 
 template <int N>
 void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
@@ -25,6 +27,7 @@ void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
   for (int depth = 1; !batch_.active.empty(); ++depth) {
     intersect();
     absorb_and_emit();
+    if (!batch_.media.empty()) pass_hidden_surfaces();
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
     batch_.active.clear();
@@ -77,7 +80,7 @@ void PathTracer<N>::leave_camera() {
     batch_.radiance[slot] = SampledSpectrum<N>(0.0f);
     batch_.bsdf_pdf[slot] = 0.0f;
     batch_.eta_scale[slot] = 1.0f;
-    batch_.medium[slot] = -1;
+    if (!batch_.media.empty()) batch_.media[slot] = camera_media_;
   }
 }
 
@@ -96,9 +99,9 @@ void PathTracer<N>::escape() {
     const Vec3f direction = batch_.rays.direction[slot], rgb = environment.radiance(direction);
     SampledSpectrum<N> arriving = batch_.throughput[slot] * batch_.tints[slot](rgb.x, rgb.y, rgb.z) *
                                   batch_.emission_of(slot, environment.emission_spectrum);
-    if (batch_.medium[slot] >= 0)
-      arriving *= scene_.surfaces[static_cast<std::size_t>(batch_.medium[slot])].transmittance(
-          batch_.wavelengths[slot].lambda, std::numeric_limits<float>::infinity());
+    if (!batch_.media.empty())
+      attenuate(arriving, scene_, batch_.media[slot].current(), batch_.wavelengths[slot].lambda,
+                std::numeric_limits<float>::infinity());
     if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
       arriving *= power_heuristic(
           pdf, scene_.lights.environment_pdf(batch_.vertex_of(slot), batch_.spectra_of(slot), direction));
@@ -115,11 +118,7 @@ void PathTracer<N>::absorb_and_emit() {
   std::erase_if(batch_.active, [&](std::uint32_t slot) { return batch_.hits[slot].shape == kNoHit; });
   for (const std::uint32_t slot : batch_.active) {
     const Hit& hit = batch_.hits[slot];
-    if (batch_.medium[slot] >= 0) {
-      const Surface& medium = scene_.surfaces[static_cast<std::size_t>(batch_.medium[slot])];
-      batch_.throughput[slot] *= medium.transmittance(batch_.wavelengths[slot].lambda, hit.t);
-    }
-
+    if (!batch_.media.empty()) travel(slot);
     const std::uint32_t material = geometry.shapes[hit.shape].material;
     const Surface& surface = scene_.surfaces[material];
     if (!surface.emits) continue;
@@ -146,7 +145,7 @@ void PathTracer<N>::sort_by_bsdf(int depth) {
     BsdfKind kind = surface.opaque_kind;
     if (surface.transmits)
       kind = ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda,
-                                {scene_.scene.geometry, batch_.hits[slot]})
+                                {scene_.scene.geometry, batch_.hits[slot]}, batch_.outside_of(slot, scene_))
                  .choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
     batch_.by_kind[static_cast<std::size_t>(kind)].push_back(slot);
   }
@@ -178,6 +177,7 @@ void PathTracer<N>::roulette(int depth) {
 template <int N>
 void PathTracer<N>::finish(std::size_t count, Film& film) {
   for (std::size_t slot = 0; slot < count; ++slot) {
+    if (!batch_.media.empty()) stats_.media_overflows += batch_.media[slot].overflowed();
     const Xyz xyz = batch_.wavelengths[slot].to_xyz(batch_.radiance[slot]);
     if (std::isfinite(xyz.x + xyz.y + xyz.z))
       film.add(batch_.pixel[slot], xyz);

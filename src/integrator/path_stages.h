@@ -30,6 +30,8 @@ class PathTracer {
   void intersect();
   void escape();
   void absorb_and_emit();
+  void travel(std::uint32_t slot);
+  void pass_hidden_surfaces();
   void sort_by_bsdf(int depth);
   void trace_shadow_rays();
   void roulette(int depth);
@@ -40,6 +42,7 @@ class PathTracer {
   const RenderOptions& options_;
   PathBatch<N> batch_;
   ShadingStage<N> shading_;
+  PathMedia camera_media_;  ///< around the camera
   RenderStats stats_;
 };
 

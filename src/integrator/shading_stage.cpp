@@ -94,6 +94,8 @@ void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, i
   const Lanes weight = lights.radiance * mis / lights.pdf;
   const Vec3Lanes origin = vertices.point.leave(lights.direction), to_end = lights.end - origin;
 
+  const IntLanes inwards = vertices.is_inwards(lights.direction);
+
   // What would arrive?
   for (int i = 0; i < packet.count; ++i) {
     if (pdf[i] == 0.0f) continue;
@@ -109,9 +111,9 @@ void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, i
       arriving *= lamp_tint(batch, slot, lights.material[i], lights.triangle[i], lane(lights.end, i));
     if (arriving.is_black()) continue;
     const float distance = lights.distance[i];
-    if (const int medium = vertices.medium_towards(scene_, i, wi, batch.medium[slot]); medium >= 0)
-      arriving *= scene_.surfaces[static_cast<std::size_t>(medium)].transmittance(
-          batch.wavelengths[slot].lambda, distance);
+    if (!batch.media.empty())
+      attenuate(arriving, scene_, batch.media[slot].on_side(inwards[i]), batch.wavelengths[slot].lambda,
+                distance);
 
     const bool unbounded = std::isinf(distance);
     batch.shadow_rays.origin.set(slot, lane(origin, i));
@@ -133,7 +135,7 @@ void ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Packet& packe
   std::array<std::optional<BsdfSample<N>>, kLanes> samples{};
   const Vec3Lanes local = vertices.sample(packet, u_lobe, u, samples);
   const Vec3Lanes wi = vertices.frame.to_world(local), origin = vertices.point.leave(wi);
-  const IntLanes agree = vertices.sides_agree(wi, local.z);
+  const IntLanes agree = vertices.sides_agree(wi, local.z), inwards = vertices.is_inwards(wi);
 
   for (int i = 0; i < packet.count; ++i) {
     const auto& sample = samples[static_cast<std::size_t>(i)];
@@ -146,7 +148,7 @@ void ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Packet& packe
     batch.rays.direction.set(slot, lane(wi, i));
     batch.bsdf_pdf[slot] = sample->delta ? 0.0f : sample->pdf;
     batch.eta_scale[slot] *= sqr(sample->eta);
-    batch.medium[slot] = vertices.medium_towards(scene_, i, lane(wi, i), batch.medium[slot]);
+    if (!batch.media.empty()) batch.media[slot].go_on(scene_.surfaces, inwards[i]);
     batch.active.push_back(slot);
   }
 }

@@ -29,14 +29,15 @@ Bsdf make_bsdf(const ShadingMaterial<N>& material, Vec3f wo, SampledSpectrum<N> 
 template <int N, typename Bsdf>
 struct Vertex {
   /// @param throughput of the path so far: a BSDF that must choose a wavelength goes by it
+  /// @param outside what bounds the medium in front of the surface, or null
   Vertex(const PreparedScene& scene, const Hit& hit, Vec3f wo_world, SampledSpectrum<N> lambda,
-         SampledSpectrum<N> throughput)
+         SampledSpectrum<N> throughput, const Surface* outside = nullptr)
       : material(scene.scene.geometry.shapes[hit.shape].material),
         surface(scene.surfaces[material]),
         point(mapped_point(scene.scene.geometry, hit, wo_world, surface)),
         frame(make_frame(scene.scene.geometry, hit, wo_world)),
         wo(frame.to_local(wo_world)),
-        bsdf(make_bsdf<Bsdf>(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}), wo,
+        bsdf(make_bsdf<Bsdf>(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}, outside), wo,
                              throughput)) {}
 
   Frame make_frame(const Geometry& geometry, const Hit& hit, Vec3f wo_world) const {
@@ -67,12 +68,8 @@ struct Vertex {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
   }
 
-  /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.
-  std::int32_t medium_towards(Vec3f w, std::int32_t current) const {
-    if (!surface.solid || !surface.transmits) return current;
-    return surface.absorbs() && dot(w, point.geometric_normal) < 0.0f ? static_cast<std::int32_t>(material)
-                                                                      : -1;
-  }
+  /// Whether w points to the back.
+  bool is_inwards(Vec3f w) const { return dot(w, point.geometric_normal) < 0.0f; }
 
   std::uint32_t material;
   const Surface& surface;

@@ -32,7 +32,7 @@ struct VertexPacket {
     for (int i = 0; i < packet.count; ++i) {
       const std::uint32_t slot = packet[i];
       const ShadingMaterial<N> at_hit(surface(scene, i), batch.wavelengths[slot].lambda,
-                                      {geometry, batch.hits[slot]});
+                                      {geometry, batch.hits[slot]}, batch.outside_of(slot, scene));
       bsdf[static_cast<std::size_t>(i)].emplace(make_bsdf<Bsdf>(at_hit, lane(wo, i), batch.throughput[slot]));
     }
   }
@@ -64,14 +64,8 @@ struct VertexPacket {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
   }
 
-  /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.
-  std::int32_t medium_towards(const PreparedScene& scene, int i, Vec3f w, std::int32_t current) const {
-    const Surface& s = surface(scene, i);
-    if (!s.solid || !s.transmits) return current;
-    return s.absorbs() && dot(w, lane(point.geometric_normal, i)) < 0.0f
-               ? static_cast<std::int32_t>(material[static_cast<std::size_t>(i)])
-               : -1;
-  }
+  /// Which w point to the back.
+  IntLanes is_inwards(Vec3Lanes w) const { return dot(w, point.geometric_normal) < 0.0f; }
 
   SurfacePointLanes point;
   FrameLanes frame;

@@ -30,7 +30,8 @@ class Extension {
 
 /// Fills material.extensions from glTF's extensions and from `extras`: "conductor", a metal's name; "glass",
 /// a glass's name or {"cauchy": [A, B in µm²]}. Glass by extras transmits and, unless KHR_materials_volume
-/// says otherwise, is solid. The rest of the material must have been loaded.
+/// says otherwise, is solid. "solid", true or false, overrules that; "priority" is a whole number. The rest
+/// of the material must have been loaded.
 /// @throws InputError
 void load_material_extensions(const GltfDocument& document, std::size_t index, Material& material);
 
