@@ -8,6 +8,7 @@
 #include "core/prepared_scene.h"
 #include "core/progress.h"
 #include "core/sample_sequence.h"
+#include "integrator/non_finite.h"
 #include "spectral/observer.h"
 #include "spectral/wavelength_sampler.h"
 
@@ -31,8 +32,9 @@ struct RenderStats {
   std::uint64_t paths = 0;
   std::uint64_t rays = 0;  ///< nearest-hit rays
   std::uint64_t shadow_rays = 0;
-  std::uint64_t split_paths = 0;  ///< paths that went on with one wavelength after dispersion
-  std::uint64_t non_finite = 0;   ///< samples that were not finite; left out of the film and counted here
+  std::uint64_t split_paths = 0;      ///< paths that went on with one wavelength after dispersion
+  std::uint64_t non_finite = 0;       ///< samples that were not finite; left out of the film and counted here
+  NonFiniteCounts non_finite_causes;  ///< why; the oracle does not tell
   std::optional<double> expected_delta_e{};  ///< mean over the image; where a target_error was set
   bool stopped = false;                      ///< by RenderOptions::stop
 
@@ -42,6 +44,7 @@ struct RenderStats {
     shadow_rays += other.shadow_rays;
     split_paths += other.split_paths;
     non_finite += other.non_finite;
+    non_finite_causes += other.non_finite_causes;
     return *this;
   }
 };

@@ -47,6 +47,8 @@ struct PathBatch {
     return emission[slot * emission_count_ + static_cast<std::size_t>(k)];
   }
 
+  std::size_t emission_count() const { return emission_count_; }
+
   /// The probabilities of each spectrum's lights at the slot's last vertex; empty where there is one
   /// spectrum.
   std::span<float> spectra_of(std::uint32_t slot) {

@@ -26,10 +26,18 @@ PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& w
 
 template <int N>
 void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
+  advance(paths);
+  finish(paths, film);
+}
+
+template <int N>
+void PathTracer<N>::advance(std::span<const PathKey> paths) {
   start(paths);
+  if (watch_) watch_->after_start();
   for (int depth = 1; !batch_.active.empty(); ++depth) {
     intersect();
     absorb_and_emit();
+    if (watch_) watch_->after_emission();
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
     batch_.active.clear();
@@ -41,9 +49,9 @@ void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
     shade<GlassBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::glass)], depth);
     shade<SpectralGlassBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::spectral_glass)], depth);
     trace_shadow_rays();
+    if (watch_) watch_->after_scattering();
     roulette(depth);
   }
-  finish(paths.size(), film);
 }
 
 template <int N>
@@ -274,18 +282,6 @@ void PathTracer<N>::roulette(int depth) {
     batch_.throughput[slot] *= 1.0f / survival;
     return false;
   });
-}
-
-/// In the order of the slots: a pixel's sum has the same bits however its paths were batched.
-template <int N>
-void PathTracer<N>::finish(std::size_t count, Film& film) {
-  for (std::size_t slot = 0; slot < count; ++slot) {
-    const Xyz xyz = batch_.wavelengths[slot].to_xyz(batch_.radiance[slot]);
-    if (std::isfinite(xyz.x + xyz.y + xyz.z))
-      film.add(batch_.pixel[slot], xyz);
-    else
-      ++stats_.non_finite;
-  }
 }
 
 template class PathTracer<1>;

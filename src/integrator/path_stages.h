@@ -3,6 +3,7 @@
 #include <span>
 
 #include "integrator/integrator.h"
+#include "integrator/non_finite_watch.h"
 #include "integrator/path_batch.h"
 #include "integrator/vertex.h"
 
@@ -20,6 +21,8 @@ class PathTracer {
   const RenderStats& stats() const { return stats_; }
 
  private:
+  /// Every stage of the paths, up to what each has gathered.
+  void advance(std::span<const PathKey> paths);
   void start(std::span<const PathKey> paths);
   void choose_wavelengths();
   void leave_camera();
@@ -37,13 +40,16 @@ class PathTracer {
   void sample_direction(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex);
   void trace_shadow_rays();
   void roulette(int depth);
-  void finish(std::size_t count, Film& film);
+  bool is_lost(std::size_t slot) const;
+  void finish(std::span<const PathKey> paths, Film& film);
+  void count_non_finite(std::span<const PathKey> paths);
 
   const PreparedScene& scene_;
   const WavelengthSampler& sampler_;
   const RenderOptions& options_;
   PathBatch<N> batch_;
   RenderStats stats_;
+  NonFiniteWatch<N>* watch_ = nullptr;  ///< set while count_non_finite() traces paths once more
 };
 
 }  // namespace photopic
