@@ -151,7 +151,9 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
     s.pdf = 1.0f / polygon.solid_angle();
     half = way.part;
   }
-  s.end = from + s.direction * s.distance + normal * (h < 0.0f ? error : -error);
+  // Rounded where the ray comes from, too: a point by the far lamp's own measure may lie behind its plane.
+  const float away = std::max(error, kPositionError * max_abs(from));
+  s.end = from + s.direction * s.distance + normal * (h < 0.0f ? away : -away);
   s.radiance = luminance;
   s.spectrum = spectrum;
   s.material = material;
