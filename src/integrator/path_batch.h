@@ -30,6 +30,7 @@ struct PathBatch {
         bsdf_pdf(capacity),
         eta_scale(capacity),
         medium(capacity),
+        vertex(capacity),
         normal(scene.lights.uses_normals() ? capacity : 0),
         spectrum_choice(scene.lights.several_spectra() ? emission.size() : 0),
         tints(scene.scene.environment ? capacity : 0),
@@ -58,7 +59,7 @@ struct PathBatch {
 
   /// The slot's last vertex as the lights see it.
   LightReference vertex_of(std::uint32_t slot) const {
-    return {rays.origin[slot], normal.x.empty() ? Vec3f{} : normal[slot]};
+    return {vertex[slot], normal.x.empty() ? Vec3f{} : normal[slot]};
   }
 
   // The path so far.
@@ -75,6 +76,7 @@ struct PathBatch {
   std::vector<float> eta_scale;  ///< η² of the interfaces crossed: what roulette must not mistake for loss
   std::vector<std::int32_t> medium;  ///< material of the glass the path is in, −1 outside
 
+  Vec3Array vertex;                    ///< the last one's position; where rays start is a little off it
   Vec3Array normal;                    ///< of the last vertex, where lights are chosen by it
   std::vector<float> spectrum_choice;  ///< see spectra_of
   std::vector<SampledTints<N>> tints;  ///< for the environment's colours

@@ -256,6 +256,7 @@ void PathTracer<N>::sample_direction(std::uint32_t slot, int depth, const Vertex
   if (batch_.throughput[slot].is_black()) return;
   batch_.rays.origin.set(slot, vertex.point.leave(sample->wi));
   batch_.rays.direction.set(slot, sample->wi);
+  batch_.vertex.set(slot, vertex.point.position);
   batch_.bsdf_pdf[slot] = sample->delta ? 0.0f : sample->pdf;
   batch_.eta_scale[slot] *= sqr(sample->eta);
   batch_.medium[slot] = vertex.medium_towards(sample->wi, batch_.medium[slot]);
