@@ -8,6 +8,7 @@
 #include "core/prepared_scene.h"
 #include "core/progress.h"
 #include "core/sample_sequence.h"
+#include "integrator/non_finite.h"
 #include "spectral/observer.h"
 #include "spectral/wavelength_sampler.h"
 
@@ -34,6 +35,7 @@ struct RenderStats {
   std::uint64_t split_paths = 0;      ///< paths that went on with one wavelength after dispersion
   std::uint64_t media_overflows = 0;  ///< paths that were in more media at once than are kept
   std::uint64_t non_finite = 0;       ///< samples that were not finite; left out of the film and counted here
+  NonFiniteCounts non_finite_causes;  ///< why; the oracle does not tell
   std::optional<double> expected_delta_e{};  ///< mean over the image; where a target_error was set
   bool stopped = false;                      ///< by RenderOptions::stop
 
@@ -44,6 +46,7 @@ struct RenderStats {
     split_paths += other.split_paths;
     media_overflows += other.media_overflows;
     non_finite += other.non_finite;
+    non_finite_causes += other.non_finite_causes;
     return *this;
   }
 };

@@ -23,20 +23,28 @@ PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& w
 
 template <int N>
 void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
+  advance(paths);
+  finish(paths, film);
+}
+
+template <int N>
+void PathTracer<N>::advance(std::span<const PathKey> paths) {
   start(paths);
+  if (watch_) watch_->after_start();
   for (int depth = 1; !batch_.active.empty(); ++depth) {
     intersect();
     absorb_and_emit();
+    if (watch_) watch_->after_emission();
     if (!batch_.media.empty()) pass_hidden_surfaces();
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
     batch_.active.clear();
     batch_.shadowed.clear();
-    shading_.shade(batch_, depth);
+    stats_.split_paths += shading_.shade(batch_, depth);
     trace_shadow_rays();
+    if (watch_) watch_->after_scattering();
     roulette(depth);
   }
-  finish(paths.size(), film);
 }
 
 template <int N>
@@ -171,19 +179,6 @@ void PathTracer<N>::roulette(int depth) {
     batch_.throughput[slot] *= 1.0f / survival;
     return false;
   });
-}
-
-/// In the order of the slots: a pixel's sum has the same bits however its paths were batched.
-template <int N>
-void PathTracer<N>::finish(std::size_t count, Film& film) {
-  for (std::size_t slot = 0; slot < count; ++slot) {
-    if (!batch_.media.empty()) stats_.media_overflows += batch_.media[slot].overflowed();
-    const Xyz xyz = batch_.wavelengths[slot].to_xyz(batch_.radiance[slot]);
-    if (std::isfinite(xyz.x + xyz.y + xyz.z))
-      film.add(batch_.pixel[slot], xyz);
-    else
-      ++stats_.non_finite;
-  }
 }
 
 template class PathTracer<1>;

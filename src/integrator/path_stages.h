@@ -3,6 +3,7 @@
 #include <span>
 
 #include "integrator/integrator.h"
+#include "integrator/non_finite_watch.h"
 #include "integrator/path_batch.h"
 #include "integrator/shading_stage.h"
 
@@ -17,13 +18,11 @@ class PathTracer {
   /// Traces the paths and adds them to the film in the order given. At most options.batch_size of them.
   void trace(std::span<const PathKey> paths, Film& film);
 
-  RenderStats stats() const {
-    RenderStats s = stats_;
-    s.split_paths = shading_.split_paths();
-    return s;
-  }
+  const RenderStats& stats() const { return stats_; }
 
  private:
+  /// Every stage of the paths, up to what each has gathered.
+  void advance(std::span<const PathKey> paths);
   void start(std::span<const PathKey> paths);
   void choose_wavelengths();
   void leave_camera();
@@ -35,7 +34,9 @@ class PathTracer {
   void sort_by_bsdf(int depth);
   void trace_shadow_rays();
   void roulette(int depth);
-  void finish(std::size_t count, Film& film);
+  bool is_lost(std::size_t slot) const;
+  void finish(std::span<const PathKey> paths, Film& film);
+  void count_non_finite(std::span<const PathKey> paths);
 
   const PreparedScene& scene_;
   const WavelengthSampler& sampler_;
@@ -44,6 +45,7 @@ class PathTracer {
   ShadingStage<N> shading_;
   PathMedia camera_media_;  ///< around the camera
   RenderStats stats_;
+  NonFiniteWatch<N>* watch_ = nullptr;  ///< set while count_non_finite() traces paths once more
 };
 
 }  // namespace photopic

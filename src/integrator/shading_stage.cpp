@@ -9,25 +9,27 @@
 namespace photopic {
 
 template <int N>
-void ShadingStage<N>::shade(PathBatch<N>& batch, int depth) {
-  shade<DiffuseBsdf<N>>(batch, BsdfKind::diffuse, depth);
-  shade<OpaqueBsdf<N>>(batch, BsdfKind::opaque, depth);
-  shade<ConductorBsdf<N>>(batch, BsdfKind::conductor, depth);
-  shade<LayeredBsdf<N>>(batch, BsdfKind::layered, depth);
-  shade<GlassBsdf<N>>(batch, BsdfKind::glass, depth);
-  shade<SpectralGlassBsdf<N>>(batch, BsdfKind::spectral_glass, depth);
+std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, int depth) {
+  return shade<DiffuseBsdf<N>>(batch, BsdfKind::diffuse, depth) +
+         shade<OpaqueBsdf<N>>(batch, BsdfKind::opaque, depth) +
+         shade<ConductorBsdf<N>>(batch, BsdfKind::conductor, depth) +
+         shade<LayeredBsdf<N>>(batch, BsdfKind::layered, depth) +
+         shade<GlassBsdf<N>>(batch, BsdfKind::glass, depth) +
+         shade<SpectralGlassBsdf<N>>(batch, BsdfKind::spectral_glass, depth);
 }
 
 template <int N>
 template <typename Bsdf>
-void ShadingStage<N>::shade(PathBatch<N>& batch, BsdfKind kind, int depth) {
+std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, BsdfKind kind, int depth) {
   const auto& slots = batch.by_kind[static_cast<std::size_t>(kind)];
+  std::uint64_t split = 0;
   for (std::size_t first = 0; first < slots.size(); first += kLanes) {
     const Packet packet(slots, first);
     const VertexPacket<N, Bsdf> vertices(scene_, batch, packet);
     if (!scene_.lights.empty()) sample_lights(batch, packet, depth, vertices);
-    sample_directions(batch, packet, depth, vertices);
+    split += sample_directions(batch, packet, depth, vertices);
   }
+  return split;
 }
 
 /// Where lights differ in spectrum: what those of each may add to this path.
@@ -127,8 +129,8 @@ void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, i
 /// Where the paths go on.
 template <int N>
 template <typename Bsdf>
-void ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
-                                        const VertexPacket<N, Bsdf>& vertices) {
+std::uint64_t ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
+                                                 const VertexPacket<N, Bsdf>& vertices) {
   const SampleStreamLanes stream = batch.stream.gather(packet);
   const Lanes u_lobe = stream.get_1d(bounce_dimension(depth, kBsdfLobe));
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
@@ -136,21 +138,24 @@ void ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Packet& packe
   const Vec3Lanes local = vertices.sample(packet, u_lobe, u, samples);
   const Vec3Lanes wi = vertices.frame.to_world(local), origin = vertices.point.leave(wi);
   const IntLanes agree = vertices.sides_agree(wi, local.z), inwards = vertices.is_inwards(wi);
+  std::uint64_t split = 0;
 
   for (int i = 0; i < packet.count; ++i) {
     const auto& sample = samples[static_cast<std::size_t>(i)];
     if (!sample || !agree[i]) continue;
     const std::uint32_t slot = packet[i];
     batch.throughput[slot] *= sample->weight;
-    split_paths_ += sample->split;
+    split += sample->split;
     if (batch.throughput[slot].is_black()) continue;
     batch.rays.origin.set(slot, lane(origin, i));
     batch.rays.direction.set(slot, lane(wi, i));
+    batch.vertex.set(slot, lane(vertices.point.position, i));
     batch.bsdf_pdf[slot] = sample->delta ? 0.0f : sample->pdf;
     batch.eta_scale[slot] *= sqr(sample->eta);
     if (!batch.media.empty()) batch.media[slot].go_on(scene_.surfaces, inwards[i]);
     batch.active.push_back(slot);
   }
+  return split;
 }
 
 template class ShadingStage<1>;

@@ -151,7 +151,9 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
     s.pdf = 1.0f / polygon.solid_angle();
     half = way.part;
   }
-  s.end = from + s.direction * s.distance + normal * (h < 0.0f ? error : -error);
+  // Rounded where the ray comes from, too: a point by the far lamp's own measure may lie behind its plane.
+  const float away = std::max(error, kPositionError * max_abs(from));
+  s.end = from + s.direction * s.distance + normal * (h < 0.0f ? away : -away);
   s.radiance = luminance;
   s.spectrum = spectrum;
   s.material = material;
@@ -173,7 +175,8 @@ void AreaLight::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampl
   s.distance = sqrt(distance2);
   s.direction = to_point / s.distance;
   s.pdf = distance2 * s.distance / (abs(h) * area);
-  s.end = from + to_point + n * select(h < 0.0f, Lanes{} + error, Lanes{} - error);
+  const Lanes away = max(Lanes{} + error, kPositionError * max_abs(from));
+  s.end = from + to_point + n * select(h < 0.0f, away, -away);
   s.radiance = Lanes{} + luminance;
   s.spectrum = IntLanes{} + spectrum;
   s.material = UintLanes{} + material;
