@@ -8,6 +8,7 @@
 #include "core/prepared_scene.h"
 #include "core/progress.h"
 #include "core/sample_sequence.h"
+#include "integrator/stage_clock.h"
 #include "spectral/observer.h"
 #include "spectral/wavelength_sampler.h"
 
@@ -24,6 +25,7 @@ struct RenderOptions {
   int batch_size = 1024;  ///< paths advanced together; changes no bit of the result
   const std::atomic<bool>* stop = nullptr;  ///< set by another thread or a signal: return what is done so far
   Progress* progress = nullptr;             ///< advanced by samples
+  bool time_stages = false;                 ///< fill RenderStats::stages; for benchmarks
 };
 
 struct RenderStats {
@@ -35,6 +37,7 @@ struct RenderStats {
   std::uint64_t non_finite = 0;   ///< samples that were not finite; left out of the film and counted here
   std::optional<double> expected_delta_e{};  ///< mean over the image; where a target_error was set
   bool stopped = false;                      ///< by RenderOptions::stop
+  StageSeconds stages{};                     ///< all 0 unless RenderOptions::time_stages
 
   RenderStats& operator+=(const RenderStats& other) {
     paths += other.paths;
@@ -42,6 +45,7 @@ struct RenderStats {
     shadow_rays += other.shadow_rays;
     split_paths += other.split_paths;
     non_finite += other.non_finite;
+    for (std::size_t i = 0; i < kStages; ++i) stages[i] += other.stages[i];
     return *this;
   }
 };

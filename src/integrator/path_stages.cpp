@@ -26,24 +26,32 @@ PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& w
 
 template <int N>
 void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
+  StageClock clock(options_.time_stages, stats_.stages);
   start(paths);
+  clock.stamp(kStageStart);
   for (int depth = 1; !batch_.active.empty(); ++depth) {
     intersect();
+    clock.stamp(kStageIntersect);
     absorb_and_emit();
+    clock.stamp(kStageEmit);
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
     batch_.active.clear();
     batch_.shadowed.clear();
-    shade<DiffuseBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::diffuse)], depth);
-    shade<OpaqueBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::opaque)], depth);
-    shade<ConductorBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::conductor)], depth);
-    shade<LayeredBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::layered)], depth);
-    shade<GlassBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::glass)], depth);
-    shade<SpectralGlassBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::spectral_glass)], depth);
+    clock.stamp(kStageSort);
+    shade<DiffuseBsdf<N>>(BsdfKind::diffuse, depth, clock);
+    shade<OpaqueBsdf<N>>(BsdfKind::opaque, depth, clock);
+    shade<ConductorBsdf<N>>(BsdfKind::conductor, depth, clock);
+    shade<LayeredBsdf<N>>(BsdfKind::layered, depth, clock);
+    shade<GlassBsdf<N>>(BsdfKind::glass, depth, clock);
+    shade<SpectralGlassBsdf<N>>(BsdfKind::spectral_glass, depth, clock);
     trace_shadow_rays();
+    clock.stamp(kStageShadow);
     roulette(depth);
+    clock.stamp(kStageRoulette);
   }
   finish(paths.size(), film);
+  clock.stamp(kStageFilm);
 }
 
 template <int N>
@@ -164,13 +172,16 @@ void PathTracer<N>::sort_by_bsdf(int depth) {
 
 template <int N>
 template <typename Bsdf>
-void PathTracer<N>::shade(std::span<const std::uint32_t> slots, int depth) {
-  for (const std::uint32_t slot : slots) {
+void PathTracer<N>::shade(BsdfKind kind, int depth, StageClock& clock) {
+  const auto index = static_cast<std::size_t>(kind);
+  if (batch_.by_kind[index].empty()) return;
+  for (const std::uint32_t slot : batch_.by_kind[index]) {
     const Vertex<N, Bsdf> vertex(scene_, batch_.hits[slot], -batch_.rays.direction[slot],
                                  batch_.wavelengths[slot].lambda, batch_.throughput[slot]);
     sample_light(slot, depth, vertex);
     sample_direction(slot, depth, vertex);
   }
+  clock.stamp(kStageShade + index);
 }
 
 /// Where lights differ in spectrum: what those of each may add to this path.

@@ -28,7 +28,7 @@ class PathTracer {
   void absorb_and_emit();
   void sort_by_bsdf(int depth);
   template <typename Bsdf>
-  void shade(std::span<const std::uint32_t> slots, int depth);
+  void shade(BsdfKind kind, int depth, StageClock& clock);
   void weigh_spectra(std::uint32_t slot);
   SampledSpectrum<N> lamp_tint(std::uint32_t slot, const LightSample& light) const;
   template <typename Bsdf>
