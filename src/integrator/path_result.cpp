@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "integrator/path_stages.h"
 
 namespace photopic {
@@ -28,9 +30,9 @@ template <int N>
 void PathTracer<N>::count_non_finite(std::span<const PathKey> paths) {
   const RenderStats before = stats_;
   NonFiniteWatch<N> watch(batch_, paths.size());
-  watch_ = &watch;
+  StageWatch* const other = std::exchange(watch_, &watch);
   advance(paths);
-  watch_ = nullptr;
+  watch_ = other;
   stats_ = before;
   stats_.non_finite += paths.size();
   stats_.non_finite_causes += watch.counts();

@@ -23,27 +23,34 @@ PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& w
 
 template <int N>
 void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
+  StageClock clock(stats_.stages);
+  if (options_.time_stages) watch_ = &clock;
   advance(paths);
   finish(paths, film);
+  done(kStageFilm);
+  watch_ = nullptr;
 }
 
 template <int N>
 void PathTracer<N>::advance(std::span<const PathKey> paths) {
   start(paths);
-  if (watch_) watch_->after_start();
+  done(kStageStart);
   for (int depth = 1; !batch_.active.empty(); ++depth) {
     intersect();
+    done(kStageIntersect);
     absorb_and_emit();
-    if (watch_) watch_->after_emission();
     if (!batch_.media.empty()) pass_hidden_surfaces();
+    done(kStageEmit);
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
+    done(kStageSort);
     batch_.active.clear();
     batch_.shadowed.clear();
-    stats_.split_paths += shading_.shade(batch_, depth);
+    stats_.split_paths += shading_.shade(batch_, depth, watch_);
     trace_shadow_rays();
-    if (watch_) watch_->after_scattering();
+    done(kStageShadow);
     roulette(depth);
+    done(kStageRoulette);
   }
 }
 

@@ -21,6 +21,9 @@ class PathTracer {
   const RenderStats& stats() const { return stats_; }
 
  private:
+  void done(Stage stage) {
+    if (watch_) watch_->after(stage);
+  }
   /// Every stage of the paths, up to what each has gathered.
   void advance(std::span<const PathKey> paths);
   void start(std::span<const PathKey> paths);
@@ -45,7 +48,7 @@ class PathTracer {
   ShadingStage<N> shading_;
   PathMedia camera_media_;  ///< around the camera
   RenderStats stats_;
-  NonFiniteWatch<N>* watch_ = nullptr;  ///< set while count_non_finite() traces paths once more
+  StageWatch* watch_ = nullptr;  ///< or none
 };
 
 }  // namespace photopic

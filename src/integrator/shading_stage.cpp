@@ -9,13 +9,20 @@
 namespace photopic {
 
 template <int N>
-std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, int depth) {
-  return shade<DiffuseBsdf<N>>(batch, BsdfKind::diffuse, depth) +
-         shade<OpaqueBsdf<N>>(batch, BsdfKind::opaque, depth) +
-         shade<ConductorBsdf<N>>(batch, BsdfKind::conductor, depth) +
-         shade<LayeredBsdf<N>>(batch, BsdfKind::layered, depth) +
-         shade<GlassBsdf<N>>(batch, BsdfKind::glass, depth) +
-         shade<SpectralGlassBsdf<N>>(batch, BsdfKind::spectral_glass, depth);
+std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, int depth, StageWatch* watch) {
+  std::uint64_t split = 0;
+  const auto shade_all = [&]<typename Bsdf>(BsdfKind kind, std::type_identity<Bsdf>) {
+    if (batch.by_kind[static_cast<std::size_t>(kind)].empty()) return;
+    split += shade<Bsdf>(batch, kind, depth);
+    if (watch) watch->after(shading_stage(kind));
+  };
+  shade_all(BsdfKind::diffuse, std::type_identity<DiffuseBsdf<N>>{});
+  shade_all(BsdfKind::opaque, std::type_identity<OpaqueBsdf<N>>{});
+  shade_all(BsdfKind::conductor, std::type_identity<ConductorBsdf<N>>{});
+  shade_all(BsdfKind::layered, std::type_identity<LayeredBsdf<N>>{});
+  shade_all(BsdfKind::glass, std::type_identity<GlassBsdf<N>>{});
+  shade_all(BsdfKind::spectral_glass, std::type_identity<SpectralGlassBsdf<N>>{});
+  return split;
 }
 
 template <int N>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "integrator/stage_watch.h"
 #include "integrator/vertex_packet.h"
 
 namespace photopic {
@@ -14,7 +15,7 @@ class ShadingStage {
   /// Takes the slots of batch.by_kind; leaves shadow rays in batch.shadowed, paths that go on in
   /// batch.active.
   /// @return how many of those were left with one wavelength by dispersion
-  std::uint64_t shade(PathBatch<N>& batch, int depth);
+  std::uint64_t shade(PathBatch<N>& batch, int depth, StageWatch* watch);
 
  private:
   template <typename Bsdf>
