@@ -47,6 +47,11 @@ struct PathBatch {
     return emission[slot * emission_count_ + static_cast<std::size_t>(k)];
   }
 
+  /// All of them.
+  std::span<SampledSpectrum<N>> emissions_of(std::uint32_t slot) {
+    return std::span(emission).subspan(slot * emission_count_, emission_count_);
+  }
+
   /// The probabilities of each spectrum's lights at the slot's last vertex; empty where there is one
   /// spectrum.
   std::span<float> spectra_of(std::uint32_t slot) {

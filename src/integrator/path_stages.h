@@ -5,6 +5,7 @@
 #include "integrator/integrator.h"
 #include "integrator/path_batch.h"
 #include "integrator/vertex.h"
+#include "spectral/wavelength_table.h"
 
 namespace photopic {
 
@@ -12,7 +13,9 @@ namespace photopic {
 template <int N>
 class PathTracer {
  public:
-  PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& options);
+  /// @param table of the scene's emissions and the observer
+  PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& options,
+             const WavelengthTable& table);
 
   /// Traces the paths and adds them to the film in the order given. At most options.batch_size of them.
   void trace(std::span<const PathKey> paths, Film& film);
@@ -42,6 +45,7 @@ class PathTracer {
   const PreparedScene& scene_;
   const WavelengthSampler& sampler_;
   const RenderOptions& options_;
+  const WavelengthTable& table_;
   PathBatch<N> batch_;
   RenderStats stats_;
 };

@@ -5,8 +5,11 @@
 
 namespace photopic {
 
-/// Four numbers in one of the processor's registers.
+/// The processor's vectors.
+using Float1 [[gnu::vector_size(4)]] = float;
 using Float4 [[gnu::vector_size(16)]] = float;
+using Float8 [[gnu::vector_size(32)]] = float;
+using Float16 [[gnu::vector_size(64)]] = float;
 using Double4 [[gnu::vector_size(32)]] = double;
 
 /// Four numbers that stand in a row in memory, aligned or not.
@@ -29,6 +32,14 @@ inline Double4 root(Double4 square) {
   square = square > 0.0 ? square : Double4{};
   for (int j = 0; j < 4; ++j) square[j] = std::sqrt(square[j]);
   return square;
+}
+
+/// Vectors side by side.
+inline Float8 join(Float4 a, Float4 b) {
+  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+inline Float16 join(Float8 a, Float8 b) {
+  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
 }
 
 /// The transpose of four rows of four.
