@@ -68,6 +68,10 @@ struct PathBatch {
   }
 
   std::size_t emission_count() const { return emission_count_; }
+  /// All of them.
+  std::span<SampledSpectrum<N>> emissions_of(std::uint32_t slot) {
+    return std::span(emission).subspan(slot * emission_count_, emission_count_);
+  }
 
   /// The probabilities of each spectrum's lights at the slot's last vertex; empty where there is one
   /// spectrum.

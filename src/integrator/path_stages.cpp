@@ -12,10 +12,11 @@ constexpr int kRouletteDepth = 3;
 
 template <int N>
 PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths,
-                          const RenderOptions& options)
+                          const RenderOptions& options, const WavelengthTable& table)
     : scene_(scene),
       sampler_(wavelengths),
       options_(options),
+      table_(table),
       batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene),
       shading_(scene) {
   if (!batch_.media.empty()) camera_media_ = media_at(scene, scene.scene.camera.position);
@@ -72,15 +73,12 @@ void PathTracer<N>::start(std::span<const PathKey> paths) {
 /// neighbouring paths overlap.
 template <int N>
 void PathTracer<N>::choose_wavelengths() {
-  const Observer& observer = *options_.observer;
-  const auto& emissions = scene_.scene.emission_spectra;
   for (const std::uint32_t slot : batch_.active)
     batch_.sampled[slot] = sample_wavelengths<N>(sampler_, wavelength_u(batch_.stream[slot]));
   for (const std::uint32_t slot : batch_.active) {
-    const auto& wavelengths = batch_.sampled[slot];
-    batch_.wavelengths[slot] = PathWavelengths<N>(wavelengths, observer);
-    for (std::size_t k = 0; k < emissions.size(); ++k)
-      batch_.emission_of(slot, static_cast<int>(k)) = sample_emission<N>(emissions[k], wavelengths);
+    const auto& sampled = batch_.sampled[slot];
+    batch_.wavelengths[slot] =
+        PathWavelengths<N>(sampled, table_.look_up<N>(sampled.lambda, batch_.emissions_of(slot)));
     if (!batch_.tints.empty()) batch_.tints[slot] = SampledTints<N>(batch_.wavelengths[slot].lambda);
   }
 }

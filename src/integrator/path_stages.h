@@ -6,6 +6,7 @@
 #include "integrator/non_finite_watch.h"
 #include "integrator/path_batch.h"
 #include "integrator/shading_stage.h"
+#include "spectral/wavelength_table.h"
 
 namespace photopic {
 
@@ -13,7 +14,9 @@ namespace photopic {
 template <int N>
 class PathTracer {
  public:
-  PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& options);
+  /// @param table of the scene's emissions and the observer
+  PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& options,
+             const WavelengthTable& table);
 
   /// Traces the paths and adds them to the film in the order given. At most options.batch_size of them.
   void trace(std::span<const PathKey> paths, Film& film);
@@ -44,6 +47,7 @@ class PathTracer {
   const PreparedScene& scene_;
   const WavelengthSampler& sampler_;
   const RenderOptions& options_;
+  const WavelengthTable& table_;
   PathBatch<N> batch_;
   ShadingStage<N> shading_;
   PathMedia camera_media_;  ///< around the camera

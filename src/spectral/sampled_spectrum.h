@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "spectral/lanes.h"
+
 namespace photopic {
 
 /// The range of wavelengths that is rendered, Λ [nm]; outside it the CIE 1931 observer is blind for our
@@ -10,25 +12,25 @@ namespace photopic {
 inline constexpr double kLambdaMin = 360.0;
 inline constexpr double kLambdaMax = 830.0;
 
-/// The processor's vectors of N floats. Spelled out: compilers ignore a vector size that depends on a
-/// template parameter when they compare overloads.
+/// The processor's vector of N floats. Spelled out: compilers ignore a vector size that depends on a template
+/// parameter when they compare overloads.
 template <int N>
 struct FloatLanes;
 template <>
 struct FloatLanes<1> {
-  using Type [[gnu::vector_size(4)]] = float;
+  using Type = Float1;
 };
 template <>
 struct FloatLanes<4> {
-  using Type [[gnu::vector_size(16)]] = float;
+  using Type = Float4;
 };
 template <>
 struct FloatLanes<8> {
-  using Type [[gnu::vector_size(32)]] = float;
+  using Type = Float8;
 };
 template <>
 struct FloatLanes<16> {
-  using Type [[gnu::vector_size(64)]] = float;
+  using Type = Float16;
 };
 
 /// N values of one spectral quantity, at the N wavelengths of the path they travel with; N is 1, 4, 8 or 16.
