@@ -20,7 +20,7 @@ TO_PRISM, ONWARDS = 0.62, 0.60  # from the camera, from the prism to the slits [
 LOOK = math.radians(73)  # from the camera to the prism
 LAMPS = ["cie:A", "cie:LED-B5", "cie:LED-RGB1", "cie:FL11", "cie:HP1"]
 SLIT, SLIT_HIGH, PITCH, LOWEST = 0.0025, 0.044, 0.050, 0.045  # width, height, distance between lower ends, the first's height [m]
-LUMINANCE, CEILING = 13, 12  # of the slits and the panel above [cd/m2]
+LUMINANCE, CEILING = 9, 12  # of the slits and the panel above [cd/m2]
 
 
 def ahead(place, angle, distance):
@@ -79,9 +79,9 @@ def main():
     panel = [(-1, 1.9, -0.6), (1, 1.9, -0.6), (1, 1.9, 1), (-1, 1.9, 1)]
     scene.quads("ceiling", scene.material(lamp("ceiling", 0.5, CEILING, "cie:D50")), [panel])
 
-    turn, pitch = math.radians(0.5) / 2, math.radians(-9.5) / 2
+    turn, pitch = math.radians(-0.2) / 2, math.radians(-8.5) / 2
     rotation = [math.cos(turn) * math.sin(pitch), math.sin(turn) * math.cos(pitch), -math.sin(turn) * math.sin(pitch), math.cos(turn) * math.cos(pitch)]
-    scene.camera(math.radians(30), [540, 340], translation=[camera[0], 0.29, -camera[1]], rotation=rotation)
+    scene.camera(math.radians(26.5), [640, 360], translation=[camera[0], 0.29, -camera[1]], rotation=rotation)
     scene.write_glb(FOLDER / "scene.glb")
 
 

@@ -58,8 +58,8 @@ def main():
         material = scene.material(lamp(f"lamp {spectrum}", 0, POWER / radius ** 2, spectrum))
         scene.mesh(f"lamp {spectrum}", material, positions, triangles, normals, translation=[x, *LAMPS_AT[1:]])
 
-    pitch = math.radians(-9.5)
-    scene.camera(math.radians(30), [480, 270], translation=list(EYE), rotation=[math.sin(pitch / 2), 0, 0, math.cos(pitch / 2)])
+    pitch = math.radians(-10.5)
+    scene.camera(math.radians(32), [480, 270], translation=list(EYE), rotation=[math.sin(pitch / 2), 0, 0, math.cos(pitch / 2)])
     scene.write_glb(FOLDER / "scene.glb")
 
 
