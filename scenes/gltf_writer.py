@@ -45,6 +45,20 @@ def png(width, height, pixel):
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b"")
 
 
+def hdr(width, height, radiance):
+    """A Radiance picture of all directions, in latitude and longitude: its middle in direction −z, its upper edge +y; +x lies right
+    of the middle. radiance(unit direction) gives three numbers in linear sRGB, not negative."""
+    pixels = bytearray()
+    for row in range(height):
+        theta = math.pi * (row + 0.5) / height
+        for column in range(width):
+            phi = 2 * math.pi * ((column + 0.5) / width - 0.5)
+            rgb = radiance((math.sin(theta) * math.sin(phi), math.cos(theta), -math.sin(theta) * math.cos(phi)))
+            exponent = math.frexp(max(rgb))[1] if max(rgb) > 1e-32 else -128
+            pixels += bytes([*(min(255, int(256 * c / 2.0**exponent)) for c in rgb), exponent + 128])
+    return f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n".encode() + pixels
+
+
 class Scene:
     def __init__(self, copyright):
         self.bytes = bytearray()
