@@ -24,14 +24,67 @@ void store(void* numbers, Four four) {
   std::memcpy(numbers, &four, sizeof four);
 }
 
+/// The square root of each.
+template <typename Lanes>
+inline Lanes sqrt_of(Lanes square) {
+  constexpr int kLanes = sizeof(square) / sizeof(square[0]);
+  for (int j = 0; j < kLanes; ++j) square[j] = std::sqrt(square[j]);
+  return square;
+}
+
 /// The root of what is positive, else 0.
 inline double root(double square) {
   return square > 0.0 ? std::sqrt(square) : 0.0;
 }
 inline Double4 root(Double4 square) {
-  square = square > 0.0 ? square : Double4{};
-  for (int j = 0; j < 4; ++j) square[j] = std::sqrt(square[j]);
-  return square;
+  return sqrt_of(square > 0.0 ? square : Double4{});
+}
+
+/// The two halves of a vector.
+inline Float4 low(Float8 v) {
+  return __builtin_shufflevector(v, v, 0, 1, 2, 3);
+}
+inline Float4 high(Float8 v) {
+  return __builtin_shufflevector(v, v, 4, 5, 6, 7);
+}
+inline Float8 low(Float16 v) {
+  return __builtin_shufflevector(v, v, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+inline Float8 high(Float16 v) {
+  return __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+
+/// All lanes in one, by halves.
+inline float sum_of(Float1 v) {
+  return v[0];
+}
+inline float sum_of(Float4 v) {
+  const Float4 pairs = v + __builtin_shufflevector(v, v, 2, 3, 0, 1);
+  return pairs[0] + pairs[1];
+}
+inline float sum_of(Float8 v) {
+  return sum_of(low(v) + high(v));
+}
+inline float sum_of(Float16 v) {
+  return sum_of(low(v) + high(v));
+}
+
+template <typename Lanes>
+inline Lanes larger(Lanes a, Lanes b) {
+  return a > b ? a : b;
+}
+inline float largest_of(Float1 v) {
+  return v[0];
+}
+inline float largest_of(Float4 v) {
+  const Float4 pairs = larger(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
+  return pairs[0] > pairs[1] ? pairs[0] : pairs[1];
+}
+inline float largest_of(Float8 v) {
+  return largest_of(larger(low(v), high(v)));
+}
+inline float largest_of(Float16 v) {
+  return largest_of(larger(low(v), high(v)));
 }
 
 /// Vectors side by side.

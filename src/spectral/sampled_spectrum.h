@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 
 #include "spectral/lanes.h"
@@ -57,22 +56,14 @@ struct SampledSpectrum {
   SampledSpectrum& operator*=(SampledSpectrum b) { return v *= b.v, *this; }
   SampledSpectrum& operator*=(float s) { return v *= s, *this; }
 
-  float max() const {
-    float m = v[0];
-    for (int i = 1; i < N; ++i) m = std::max(m, v[i]);
-    return m;
-  }
+  float max() const { return largest_of(v); }
   /// Whether nothing is left; not a number is not nothing.
   bool is_black() const {
     for (int i = 0; i < N; ++i)
       if (!(v[i] <= 0.0f)) return false;
     return true;
   }
-  float sum() const {
-    float s = v[0];
-    for (int i = 1; i < N; ++i) s += v[i];
-    return s;
-  }
+  float sum() const { return sum_of(v); }
 };
 
 /// The wavelengths of one path, with their densities, so that no estimate can forget the divide.
