@@ -61,7 +61,6 @@ class LightSampler {
     AliasTable table;
     std::vector<std::uint32_t> lights;  ///< of each entry of the table; kNoLight: the tree
     LightTree tree;
-    std::vector<std::uint32_t> tree_lights;
   };
   /// Where a light stands in its group.
   struct Place {
