@@ -10,7 +10,8 @@ namespace {
 
 /// Squared distance in squared extents of the light beyond which solid angle and area are sampled alike.
 constexpr float kFar2 = 3.0f;
-/// Squared height above the plane, likewise, below which the solid angle is lost in rounding.
+/// Squared height above the plane, likewise, below which the solid angle is lost in rounding; as it is where
+/// the height itself may be nothing but rounding.
 constexpr float kTouching2 = 1e-11f;
 
 using Corners = std::array<Vec3f, 3>;
@@ -119,13 +120,18 @@ SphericalPolygon seen_from(Vec3f from, const AreaLight& light, float height) {
 
 bool is_by_area(Vec3f from, const AreaLight& light, float height) {
   const Vec3f to_middle = light.middle() - from;
-  return dot(to_middle, to_middle) > light.far2 || height * height < kTouching2 * light.far2;
+  return dot(to_middle, to_middle) > light.far2 || height * height < kTouching2 * light.far2 ||
+         std::abs(height) < light.rounding(from);
 }
 
 }  // namespace
 
 double AreaLight::power() const {
   return std::numbers::pi * mean_luminance * area * (double_sided ? 2.0 : 1.0);
+}
+
+float AreaLight::rounding(Vec3f from) const {
+  return std::max(error, kPositionError * max_abs(from));
 }
 
 std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
@@ -151,8 +157,7 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
     s.pdf = 1.0f / polygon.solid_angle();
     half = way.part;
   }
-  // Rounded where the ray comes from, too: a point by the far lamp's own measure may lie behind its plane.
-  const float away = std::max(error, kPositionError * max_abs(from));
+  const float away = rounding(from);
   s.end = from + s.direction * s.distance + normal * (h < 0.0f ? away : -away);
   s.radiance = luminance;
   s.spectrum = spectrum;

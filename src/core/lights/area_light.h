@@ -33,6 +33,10 @@ struct AreaLight {
   /// How far the plane lies in front of a point, along the normal: negative in front of the light [m].
   float height(Vec3f from) const { return dot(normal, vertex - from); }
 
+  /// Bound on what rounding does to that height, and to a ray from there to the light [m]: it grows with the
+  /// coordinates of either.
+  float rounding(Vec3f from) const;
+
   /// Nothing where it cannot be seen from.
   std::optional<LightSample> sample(Vec3f from, Sample2d u) const;
 
