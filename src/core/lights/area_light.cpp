@@ -11,7 +11,8 @@ namespace {
 /// Squared distance in squared longest edges of the light beyond which solid angle and area are sampled
 /// alike.
 constexpr float kFar2 = 3.0f;
-/// Squared height above the plane, likewise, below which the solid angle is lost in rounding.
+/// Squared height above the plane, likewise, below which the solid angle is lost in rounding; as it is where
+/// the height itself may be nothing but rounding.
 constexpr float kTouching2 = 1e-11f;
 
 using Corners = std::array<Vec3f, 3>;
@@ -111,8 +112,9 @@ SphericalPolygon seen_from(Vec3f from, const AreaLight& light, float height) {
 
 bool is_by_area(Vec3f from, const AreaLight& light, float height) {
   const Vec3f to_middle = light.middle() - from;
-  const float extent2 = std::max(dot(light.edge1, light.edge1), dot(light.edge2, light.edge2));
-  return dot(to_middle, to_middle) > kFar2 * extent2 || height * height < kTouching2 * extent2;
+  const float extent2 = light.extent2();
+  return dot(to_middle, to_middle) > kFar2 * extent2 || height * height < kTouching2 * extent2 ||
+         std::abs(height) < light.rounding(from);
 }
 
 }  // namespace
@@ -140,8 +142,7 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
     s.pdf = 1.0f / polygon.solid_angle();
     half = way.part;
   }
-  // Rounded where the ray comes from, too: a point by the far lamp's own measure may lie behind its plane.
-  const float away = std::max(error, kPositionError * max_abs(from));
+  const float away = rounding(from);
   s.end = from + s.direction * s.distance + normal * (h < 0.0f ? away : -away);
   s.material = material;
   s.triangle = triangle + (parallelogram && half == 0 ? 1u : 0u);
@@ -149,23 +150,22 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
 }
 
 void AreaLight::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& s) const {
-  const auto all = [](Vec3f v) { return Vec3Lanes{Lanes{} + v.x, Lanes{} + v.y, Lanes{} + v.z}; };
-  const Vec3Lanes n = all(normal), to_vertex = all(vertex) - from, to_middle = all(middle()) - from;
+  const Vec3Lanes n = to_lanes(normal), to_vertex = to_lanes(vertex) - from,
+                  to_middle = to_lanes(middle()) - from;
   const Lanes h = dot(n, to_vertex);
   s.reached = double_sided ? h != 0.0f : h < 0.0f;
-  const IntLanes near = s.reached & (dot(to_middle, to_middle) <= far2) & (h * h >= kTouching2 * far2);
+  const Lanes away = rounding(from);
+  const IntLanes near = s.reached & (dot(to_middle, to_middle) <= kFar2 * extent2()) &
+                        (h * h >= kTouching2 * extent2()) & (abs(h) >= away);
 
   // By area.
   const Sample2dLanes b = parallelogram ? u : sample_triangle(u);
-  const Vec3Lanes to_point = to_vertex + all(edge1) * b.x + all(edge2) * b.y;
+  const Vec3Lanes to_point = to_vertex + to_lanes(edge1) * b.x + to_lanes(edge2) * b.y;
   const Lanes distance2 = dot(to_point, to_point);
   s.distance = sqrt(distance2);
   s.direction = to_point / s.distance;
   s.pdf = distance2 * s.distance / (abs(h) * area);
-  const Lanes away = max(Lanes{} + error, kPositionError * max_abs(from));
   s.end = from + to_point + n * select(h < 0.0f, away, -away);
-  s.radiance = Lanes{} + luminance;
-  s.spectrum = IntLanes{} + spectrum;
   s.material = UintLanes{} + material;
   s.triangle = UintLanes{} + triangle;
   if (parallelogram) s.triangle += b.x > b.y ? UintLanes{} + 1u : UintLanes{};

@@ -7,7 +7,7 @@
 #include "core/lights/light_sample_lanes.h"
 #include "core/sampling.h"
 #include "core/scene.h"
-#include "core/surface.h"
+#include "core/surface_point.h"
 
 namespace photopic {
 
@@ -28,6 +28,16 @@ struct alignas(64) AreaLight {
 
   /// How far the plane lies in front of a point, along the normal: negative in front of the light [m].
   float height(Vec3f from) const { return dot(normal, vertex - from); }
+
+  /// Squared, of its longer edge [m²].
+  float extent2() const { return std::max(dot(edge1, edge1), dot(edge2, edge2)); }
+
+  /// Bound on what rounding does to that height, and to a ray from there to the light [m]: it grows with the
+  /// coordinates of either.
+  template <typename T>
+  T rounding(Vec3<T> from) const {
+    return max(T{} + error, kPositionError * max_abs(from));
+  }
 
   /// Nothing where it cannot be seen from. What it emits is for the caller to fill in.
   std::optional<LightSample> sample(Vec3f from, Sample2d u) const;
