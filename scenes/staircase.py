@@ -138,7 +138,7 @@ def add_chest(scene, oak):
 
 def add_plant(scene):
     """Blades that rise from a pot and bend outwards."""
-    x, z = -2.45, -1.75
+    x, z = -2.35, -1.75
     pot = [(0, 0.002, 0, -1), (0.15, 0.002, 0.4, -0.9), (0.2, 0.34, 1, -0.1), (0.215, 0.35, 0, 1), (0.18, 0.33, 0, 1), (0, 0.32, 0, 1)]
     positions, triangles, normals = lathe(pot)
     terracotta = scene.material({"name": "terracotta", "pbrMetallicRoughness": {
