@@ -5,7 +5,7 @@ front and rough on a step behind, under a panel with the spectrum of a fluoresce
 import math
 import pathlib
 
-from gltf_writer import Scene, lambert, lamp
+from gltf_writer import Scene, lambert, lamp, turned
 from shapes import cuboid, sphere
 
 FOLDER = pathlib.Path(__file__).parent / "conductors"
@@ -40,8 +40,7 @@ def main():
                         "pbrMetallicRoughness": {"metallicFactor": 1, "roughnessFactor": roughness}}
             scene.mesh(material["name"], scene.material(material), positions, triangles, normals,
                        translation=[0.98 * (i - 2), height + RADIUS * 1.004, z])
-    pitch = math.radians(-15)
-    scene.camera(math.radians(33), [480, 270], translation=[0, 2.05, 5.35], rotation=[math.sin(pitch / 2), 0, 0, math.cos(pitch / 2)])
+    scene.camera(math.radians(33), [480, 270], translation=[0, 2.05, 5.35], rotation=turned((1, 0, 0), -15))
     scene.write_glb(FOLDER / "scene.glb")
 
 

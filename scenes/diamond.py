@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
-"""Writes diamond/scene.glb: three round brilliants on dark cloth under a panel and a ring of small lamps, all with the spectrum of a
-white LED (CIE LED-B5). Of our own making.
+"""Writes diamond/scene.glb: three round brilliants on dark cloth under panels, rings of small lamps and a dim tent, open to the front,
+all with the spectrum of a white LED (CIE LED-B5). Of our own making.
 
-The cut is M. Tolkowsky's ("Diamond Design", 1919, part III): table 53 % of the girdle's diameter, crown at 34.5 degrees, pavilion at
-40.75 degrees. He leaves open what the minor facets are; here stars reach half way to the girdle, lower halves 77 % of the way to the
-culet, and the girdle is 2 % thick.
+The main proportions are M. Tolkowsky's ("Diamond Design", 1919): table 53 % of the girdle's diameter, crown at 34.5 degrees, pavilion
+at 40.75 degrees. The minor facets are ours: stars reach half way to the girdle, lower halves 77 % of the way to the culet, and the
+girdle is 2 % of the diameter thick.
 """
 
 import math
 import pathlib
 
-from gltf_writer import Scene, cross, lambert, lamp, subtract
+from gltf_writer import Scene, cross, lambert, lamp, product, subtract, turned
 from shapes import cuboid, polygons
 
 FOLDER = pathlib.Path(__file__).parent / "diamond"
@@ -47,17 +47,6 @@ def brilliant():
                   [culet, lower(k), hem(k), lower(k - 1)]]  # pavilion main
         faces += [[rim(j), hem(j), hem(j + 0.5), rim(j + 0.5)] for j in (k, k + 0.5)]
     return faces
-
-
-def turned(axis, degrees):
-    half = math.radians(degrees) / 2
-    return [*(math.sin(half) * x for x in axis), math.cos(half)]
-
-
-def product(p, q):
-    """The rotation q, then p."""
-    (a, b, c, d), (e, f, g, h) = p, q
-    return [d * e + a * h + b * g - c * f, d * f - a * g + b * h + c * e, d * g + a * f - b * e + c * h, d * h - a * e - b * f - c * g]
 
 
 def facing(middle, target, across, high):

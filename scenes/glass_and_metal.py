@@ -4,7 +4,7 @@
 import math
 import pathlib
 
-from gltf_writer import Scene, lambert, lamp, png
+from gltf_writer import Scene, lambert, lamp, png, turned
 from patterns import wood
 from shapes import box, sphere, torus
 
@@ -59,14 +59,12 @@ def add_objects(scene):
     positions, triangles, normals = torus(0.36, 0.13)
     gold = scene.material({"name": "gold", "extras": {"conductor": "Au"},
                            "pbrMetallicRoughness": {"metallicFactor": 1, "roughnessFactor": 0.3}})
-    tilt = math.radians(62)
     scene.mesh("gold ring", gold, positions, triangles, normals, translation=[-0.85, 0.4485, -0.55],
-               rotation=[math.sin(tilt / 2), 0, 0, math.cos(tilt / 2)])
+               rotation=turned((1, 0, 0), 62))
 
     frosted = scene.material(glass("frosted glass", 0.3, 0.4, (0.95, 0.75, 0.55), 0.5))
-    turn = math.radians(28)
     scene.quads("frosted block", frosted, box(0.2, 0.2, 0.2), translation=[0.62, 0.201, 0.55],
-                rotation=[0, math.sin(turn / 2), 0, math.cos(turn / 2)])
+                rotation=turned((0, 1, 0), 28))
 
 
 def main():
@@ -74,8 +72,7 @@ def main():
     scene = Scene("Photopic's authors")
     add_room(scene)
     add_objects(scene)
-    pitch = math.radians(-15.5)
-    scene.camera(math.radians(31), [400, 300], translation=[0, 1.15, 3.35], rotation=[math.sin(pitch / 2), 0, 0, math.cos(pitch / 2)])
+    scene.camera(math.radians(31), [400, 300], translation=[0, 1.15, 3.35], rotation=turned((1, 0, 0), -15.5))
     scene.write_glb(FOLDER / "scene.glb")
 
 

@@ -14,6 +14,18 @@ def subtract(a, b):
     return tuple(x - y for x, y in zip(a, b))
 
 
+def turned(axis, degrees):
+    """The rotation about a unit axis, as glTF's quaternion."""
+    half = math.radians(degrees) / 2
+    return [*(math.sin(half) * x for x in axis), math.cos(half)]
+
+
+def product(p, q):
+    """The rotation q, then p."""
+    (a, b, c, d), (e, f, g, h) = p, q
+    return [d * e + a * h + b * g - c * f, d * f - a * g + b * h + c * e, d * g + a * f - b * e + c * h, d * h - a * e - b * f - c * g]
+
+
 def tiled(quad, tile):
     """Texture coordinates of a rectangle's corners."""
     width, height = (math.dist(quad[0], quad[i]) / tile for i in (1, 3))

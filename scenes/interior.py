@@ -11,7 +11,7 @@ import math
 import pathlib
 import random
 
-from gltf_writer import Scene, hdr, lambert, lamp, png
+from gltf_writer import Scene, hdr, lambert, lamp, png, product, turned
 from patterns import mix, noise, painting, parquet, weave, wood
 from shapes import cuboid, lathe, rod, sphere
 
@@ -125,7 +125,7 @@ def add_table(scene, oak, x, z):
     for dx, dy, dz, fruit in ((0.0, 0.078, 0.06, orange), (-0.06, 0.08, -0.02, orange), (0.06, 0.08, -0.03, lemon), (0.0, 0.155, 0.005, orange)):
         scene.mesh("fruit", fruit, positions, triangles, normals, translation=[x + 0.05 + dx, 0.742 + dy, z + 0.05 + dz])
     cuboids(scene, "lying book", scene.material(plain("red cloth", (0.45, 0.05, 0.06), 0.6)), [((-0.11, 0, -0.08), (0.11, 0.03, 0.08))],
-            translation=[x - 0.27, 0.742, z + 0.2], rotation=[0, 0.2, 0, 0.98])
+            translation=[x - 0.27, 0.742, z + 0.2], rotation=turned((0, 1, 0), 23))
 
 
 def add_chair(scene, oak, x, z, degrees):
@@ -133,9 +133,8 @@ def add_chair(scene, oak, x, z, degrees):
     legs = [((sx * 0.2 - 0.02, 0, sz * 0.2 - 0.02), (sx * 0.2 + 0.02, 0.92 if sz < 0 else 0.44, sz * 0.2 + 0.02)) for sx in (-1, 1) for sz in (-1, 1)]
     slats = [((-0.18, y, -0.215), (0.18, y + 0.07, -0.195)) for y in (0.58, 0.7, 0.82)]
     rails = [((-0.2, 0.2, sz * 0.2 - 0.01), (0.2, 0.23, sz * 0.2 + 0.01)) for sz in (-1, 1)]
-    half = math.radians(degrees) / 2
     cuboids(scene, "chair", oak, [((-0.23, 0.44, -0.22), (0.23, 0.47, 0.23)), *legs, *slats, *rails], tile=0.7,
-            translation=[x, 0.001, z], rotation=[0, math.sin(half), 0, math.cos(half)])
+            translation=[x, 0.001, z], rotation=turned((0, 1, 0), degrees))
 
 
 def add_lamp(scene, x, z):
@@ -170,9 +169,8 @@ def main():
     positions, triangles, normals = sphere(0.3, 32, 64)
     scene.mesh("pouf", scene.material(velvet), positions, triangles, normals, translation=[1.15, 0.212, -0.35], scale=[1, 0.7, 1])
 
-    turn, tilt = math.radians(9) / 2, math.radians(-8) / 2
-    rotation = [math.cos(turn) * math.sin(tilt), math.sin(turn) * math.cos(tilt), -math.sin(turn) * math.sin(tilt), math.cos(turn) * math.cos(tilt)]
-    scene.camera(math.radians(46), [480, 320], translation=[0.55, 1.45, 2.75], rotation=rotation)
+    scene.camera(math.radians(46), [480, 320], translation=[0.55, 1.45, 2.75],
+                 rotation=product(turned((0, 1, 0), 9), turned((1, 0, 0), -8)))
     scene.write_glb(FOLDER / "scene.glb")
 
 

@@ -10,7 +10,7 @@ angles count counter-clockwise from +x, seen from above.
 import math
 import pathlib
 
-from gltf_writer import Scene, lambert, lamp, png
+from gltf_writer import Scene, lambert, lamp, png, product, turned
 from patterns import wood
 
 FOLDER = pathlib.Path(__file__).parent / "prism"
@@ -79,9 +79,8 @@ def main():
     panel = [(-1, 1.9, -0.6), (1, 1.9, -0.6), (1, 1.9, 1), (-1, 1.9, 1)]
     scene.quads("ceiling", scene.material(lamp("ceiling", 0.5, CEILING, "cie:D50")), [panel])
 
-    turn, pitch = math.radians(-0.2) / 2, math.radians(-8.5) / 2
-    rotation = [math.cos(turn) * math.sin(pitch), math.sin(turn) * math.cos(pitch), -math.sin(turn) * math.sin(pitch), math.cos(turn) * math.cos(pitch)]
-    scene.camera(math.radians(26.5), [640, 360], translation=[camera[0], 0.29, -camera[1]], rotation=rotation)
+    scene.camera(math.radians(26.5), [640, 360], translation=[camera[0], 0.29, -camera[1]],
+                 rotation=product(turned((0, 1, 0), -0.2), turned((1, 0, 0), -8.5)))
     scene.write_glb(FOLDER / "scene.glb")
 
 

@@ -6,7 +6,7 @@ import math
 import pathlib
 import random
 
-from gltf_writer import Scene, lambert, lamp, png
+from gltf_writer import Scene, lambert, lamp, png, product, turned
 from patterns import painting, parquet, weave, wood
 from shapes import cuboid, lathe, rod, sphere
 
@@ -57,8 +57,8 @@ def add_pictures(scene):
     frame = scene.material({"name": "gilt", "pbrMetallicRoughness": {
         "baseColorFactor": [0.8, 0.58, 0.25, 1], "metallicFactor": 1, "roughnessFactor": 0.45}})
     back = STAIR_Z - STAIR_WIDTH / 2
-    turned = [0, math.sqrt(0.5), 0, math.sqrt(0.5)]  # looks along +x
-    places = [((-3.0, 1.75, 1.0), turned, 0.55, 0.4, (0, 0, 1, 1)), ((-1.85, 1.8, back), [0, 0, 0, 1], 0.4, 0.3, (0.1, 0.1, 0.9, 0.9))]
+    to_right = turned((0, 1, 0), 90)
+    places = [((-3.0, 1.75, 1.0), to_right, 0.55, 0.4, (0, 0, 1, 1)), ((-1.85, 1.8, back), [0, 0, 0, 1], 0.4, 0.3, (0.1, 0.1, 0.9, 0.9))]
     places += [((-0.75 + 0.95 * k, 1.95 + 0.45 * k, back), [0, 0, 0, 1], 0.2, 0.26, (0.2 * k, 0.3, 0.2 * k + 0.4, 0.8)) for k in range(3)]
     for middle, rotation, w, h, (u0, v0, u1, v1) in places:
         scene.quads("picture", image, [[(-w, -h, 0.03), (w, -h, 0.03), (w, h, 0.03), (-w, h, 0.03)]],
@@ -125,9 +125,8 @@ def add_chest(scene, oak):
     for i, color in enumerate([(0.45, 0.07, 0.05), (0.06, 0.14, 0.33), (0.62, 0.45, 0.14), (0.10, 0.27, 0.16)]):
         cloth = scene.material({"name": f"book {i}", "pbrMetallicRoughness": {
             "baseColorFactor": [*color, 1], "metallicFactor": 0, "roughnessFactor": 0.6}})
-        half = numbers.uniform(-0.2, 0.2)
         scene.quads(f"book {i}", cloth, cuboid((-0.13, 0, -0.09), (0.13, 0.034, 0.09)), translation=[x0 + 0.25, high + 0.001 + 0.036 * i, z1 - 0.22],
-                    rotation=[0, math.sin(half), 0, math.cos(half)])
+                    rotation=turned((0, 1, 0), numbers.uniform(-23, 23)))
     bowl = [(0.05, 0.0, 0.3, -0.9), (0.13, 0.03, 0.7, -0.7), (0.18, 0.09, 0.95, -0.3), (0.185, 0.095, 0, 1), (0.175, 0.09, -0.95, 0.3),
             (0.12, 0.04, -0.7, 0.7), (0, 0.02, 0, 1)]
     positions, triangles, normals = lathe(bowl)
@@ -138,7 +137,7 @@ def add_chest(scene, oak):
 
 def add_plant(scene):
     """Blades that rise from a pot and bend outwards."""
-    x, z = -2.45, -1.75
+    x, z = -2.35, -1.75
     pot = [(0, 0.002, 0, -1), (0.15, 0.002, 0.4, -0.9), (0.2, 0.34, 1, -0.1), (0.215, 0.35, 0, 1), (0.18, 0.33, 0, 1), (0, 0.32, 0, 1)]
     positions, triangles, normals = lathe(pot)
     terracotta = scene.material({"name": "terracotta", "pbrMetallicRoughness": {
@@ -167,9 +166,8 @@ def main():
     add_things(scene)
     add_chest(scene, oak)
     add_plant(scene)
-    turn, tilt = math.radians(8) / 2, math.radians(-7) / 2
-    rotation = [math.cos(turn) * math.sin(tilt), math.sin(turn) * math.cos(tilt), -math.sin(turn) * math.sin(tilt), math.cos(turn) * math.cos(tilt)]
-    scene.camera(math.radians(48), [400, 300], translation=[0.75, 1.45, 3.9], rotation=rotation)
+    scene.camera(math.radians(48), [400, 300], translation=[0.75, 1.45, 3.9],
+                 rotation=product(turned((0, 1, 0), 8), turned((1, 0, 0), -7)))
     scene.write_glb(FOLDER / "scene.glb")
 
 

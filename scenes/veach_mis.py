@@ -9,7 +9,7 @@ are CIE FL1, FL2, FL11 and FL12.
 import math
 import pathlib
 
-from gltf_writer import Scene, lambert, lamp
+from gltf_writer import Scene, lambert, lamp, turned
 from shapes import sphere
 
 FOLDER = pathlib.Path(__file__).parent / "veach-mis"
@@ -58,8 +58,7 @@ def main():
         material = scene.material(lamp(f"lamp {spectrum}", 0, POWER / radius ** 2, spectrum))
         scene.mesh(f"lamp {spectrum}", material, positions, triangles, normals, translation=[x, *LAMPS_AT[1:]])
 
-    pitch = math.radians(-10.5)
-    scene.camera(math.radians(32), [480, 270], translation=list(EYE), rotation=[math.sin(pitch / 2), 0, 0, math.cos(pitch / 2)])
+    scene.camera(math.radians(32), [480, 270], translation=list(EYE), rotation=turned((1, 0, 0), -10.5))
     scene.write_glb(FOLDER / "scene.glb")
 
 
