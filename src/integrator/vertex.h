@@ -10,8 +10,19 @@ namespace photopic {
 /// A hit with its normal map applied.
 inline SurfacePoint mapped_point(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface) {
   SurfacePoint point = surface_point(geometry, hit);
-  if (surface.maps_normals) point.shading_normal = mapped_normal(geometry, hit, point, wo, *surface.textures);
+  if (surface.maps_normals)
+    point.shading_normal =
+        mapped_normal(geometry, hit, point, wo, surface.textures->normal, surface.textures->normal_scale);
   return point;
+}
+
+/// The normal of a hit's clearcoat, on the triangle's front: the mesh's, or its own map's; that of the base
+/// is not the coat's (KHR_materials_clearcoat).
+inline Vec3f coat_normal(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface) {
+  const SurfacePoint point = surface_point(geometry, hit);
+  const MaterialTextures& textures = *surface.textures;
+  if (!textures.clearcoat_normal) return point.shading_normal;
+  return mapped_normal(geometry, hit, point, wo, textures.clearcoat_normal, textures.clearcoat_normal_scale);
 }
 
 /// A vertex of a path: a hit with its frame and its BSDF at the path's wavelengths. Directions are in world
@@ -27,8 +38,8 @@ struct Vertex {
         point(mapped_point(scene.scene.geometry, hit, wo_world, surface)),
         frame(make_frame(scene.scene.geometry, hit, wo_world)),
         wo(frame.to_local(wo_world)),
-        bsdf(make_bsdf(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}, outside), wo,
-                       throughput)) {}
+        bsdf(make_bsdf(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}, outside), throughput,
+                       [&] { return coat_normal(scene.scene.geometry, hit, wo_world, surface); })) {}
 
   Frame make_frame(const Geometry& geometry, const Hit& hit, Vec3f wo_world) const {
     const Frame any = shading_frame(point, wo_world, Bsdf::kTwoSided);
@@ -37,11 +48,17 @@ struct Vertex {
     return any;
   }
 
-  static Bsdf make_bsdf(const ShadingMaterial<N>& material, Vec3f wo, SampledSpectrum<N> throughput) {
+  template <typename CoatNormal>
+  Bsdf make_bsdf(const ShadingMaterial<N>& shading, SampledSpectrum<N> throughput,
+                 const CoatNormal& find_coat_normal) const {
     if constexpr (std::is_constructible_v<Bsdf, ShadingMaterial<N>, Vec3f, SampledSpectrum<N>>)
-      return Bsdf(material, wo, throughput);
-    else
-      return Bsdf(material, wo);
+      return Bsdf(shading, wo, throughput);
+    else if constexpr (requires { Bsdf::kHasCoat; }) {
+      if (!surface.coat_has_normals) return Bsdf(shading, wo);
+      const Vec3f n = find_coat_normal();
+      return Bsdf(shading, wo, frame.to_local(dot(frame.n, point.geometric_normal) < 0.0f ? -n : n));
+    } else
+      return Bsdf(shading, wo);
   }
 
   BsdfValue<N> evaluate(Vec3f wi) const {
