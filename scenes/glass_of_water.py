@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Writes glass-of-water/scene.glb: a tumbler of water with ice, air bubbles and a straw, beside a soft lamp with the spectrum of a
-fluorescent tube (CIE FL12). Of our own making.
+fluorescent tube (CIE FL10). Of our own making.
 
 The water reaches into the glass and the ice into the water, as one models them; `extras` give the priorities by which the glass is
 where they overlap, the air of bubbles before the ice, the ice before the water."""
@@ -13,16 +13,16 @@ from patterns import hashed
 from shapes import rod, rounded_profile, solid_of_revolution, sphere, with_smooth_normals
 
 FOLDER = pathlib.Path(__file__).parent / "glass-of-water"
-LUMINANCE = 16  # of the lamp [cd/m2]
+LUMINANCE = 9  # of the lamp [cd/m2]
 FOOT, BRIM, HEIGHT, WALL, BASE = 0.030, 0.036, 0.105, 0.0024, 0.010  # of the tumbler, outer radii [m]
 LEVEL = 0.078  # of the water
 
 
-def glass(name, ior, priority, color, distance):
+def glass(name, ior, priority, color, distance, roughness=0):
     """Clear and solid; light keeps `color` over `distance` [m]."""
     return {
         "name": name,
-        "pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 0},
+        "pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": roughness},
         "extensions": {
             "KHR_materials_transmission": {"transmissionFactor": 1},
             "KHR_materials_ior": {"ior": ior},
@@ -80,14 +80,14 @@ def ice_cube(half, seed):
 
 
 ICE = [  # middle, half its side, axis and angle it is turned by [m, degrees]
-    ((-0.0108, 0.0755, 0.0055), 0.0118, (0.36, 0.48, 0.80), 48),
-    ((0.0125, 0.0725, 0.0068), 0.0110, (-0.48, 0.60, 0.64), 74),
-    ((0.0020, 0.0690, -0.0165), 0.0112, (0.60, -0.64, 0.48), 33),
+    ((-0.0125, 0.0800, 0.0060), 0.0122, (0.36, 0.48, 0.80), 48),
+    ((0.0105, 0.0770, 0.0105), 0.0112, (-0.48, 0.60, 0.64), 74),
+    ((0.0075, 0.0795, -0.0150), 0.0118, (0.60, -0.64, 0.48), 33),
 ]
 
 
 def add_ice(scene):
-    material = scene.material(glass("ice", 1.31, 20, (0.90, 0.96, 0.98), 0.5))
+    material = scene.material(glass("ice", 1.31, 20, (0.90, 0.96, 0.98), 0.5, roughness=0.15))
     for seed, (middle, half, axis, angle) in enumerate(ICE):
         positions, triangles, normals = ice_cube(half, seed)
         turn = lambda list: [turned(p, axis, math.radians(angle)) for p in list]
@@ -126,7 +126,7 @@ def add_bubbles(scene):
 def add_straw(scene):
     plastic = scene.material({"name": "straw", "doubleSided": True, "pbrMetallicRoughness": {
         "baseColorFactor": [0.72, 0.06, 0.05, 1], "metallicFactor": 0, "roughnessFactor": 0.3}})
-    scene.mesh("straw", plastic, *rod((-0.0185, 0.0145, 0.004), (0.047, 0.150, -0.013), 0.0028, 32))
+    scene.mesh("straw", plastic, *rod((-0.0185, 0.0145, -0.002), (0.047, 0.150, -0.006), 0.0028, 32))
 
 
 def add_surroundings(scene):
@@ -134,16 +134,17 @@ def add_surroundings(scene):
     table = scene.material({"name": "slate", "pbrMetallicRoughness": {
         "baseColorFactor": [0.16, 0.17, 0.19, 1], "metallicFactor": 0, "roughnessFactor": 0.45}})
     scene.quads("table", table, [[(-wide, 0, front), (wide, 0, front), (wide, 0, back), (-wide, 0, back)]])
-    wall = scene.material(lambert("wall", (0.50, 0.52, 0.50)))
+    scene.quads("back", scene.material(lambert("blue wall", (0.16, 0.27, 0.36))),
+                [[(-wide, 0, back), (wide, 0, back), (wide, high, back), (-wide, high, back)]])
+    wall = scene.material(lambert("wall", (0.45, 0.45, 0.43)))
     scene.quads("walls", wall, [
-        [(-wide, 0, back), (wide, 0, back), (wide, high, back), (-wide, high, back)],
         [(wide, 0, front), (-wide, 0, front), (-wide, high, front), (wide, high, front)],
         [(-wide, 0, front), (-wide, 0, back), (-wide, high, back), (-wide, high, front)],
         [(wide, 0, back), (wide, 0, front), (wide, high, front), (wide, high, back)],
         [(-wide, high, back), (wide, high, back), (wide, high, front), (-wide, high, front)]])
-    x, low, top = -0.42, 0.08, 0.55  # upright, to the left, a little behind
-    scene.quads("lamp", scene.material(lamp("lamp", 0.8, LUMINANCE, "cie:FL12")),
-                [[(x, low, 0.16), (x - 0.06, low, -0.34), (x - 0.06, top, -0.34), (x, top, 0.16)]])
+    x, low, top = -0.5, 0.05, 0.8  # upright, to the left
+    scene.quads("lamp", scene.material(lamp("lamp", 0.8, LUMINANCE, "cie:FL10")),
+                [[(x, low, 0.4), (x - 0.06, low, -0.4), (x - 0.06, top, -0.4), (x, top, 0.4)]])
 
 
 def main():
