@@ -23,27 +23,33 @@ TablePosition place(GlassAlbedo::Range range, float x, int count) {
   return locate((x - range.low) / (range.high - range.low), count);
 }
 
+}  // namespace
+
 // Visible-normal sampling leaves F·G2/G1 of the reflected and (1 − F)·G2/G1 of the refracted direction to
 // average; steep normals, where light is lost, are drawn more often.
-float integrate(float cos_theta, float roughness, float eta) {
+GlassAlbedo::Share GlassAlbedo::integrate(float cos_theta, float roughness, float eta) {
   constexpr std::uint32_t kSamples = 1024;
   const Ggx ggx{std::max(sqr(roughness), 1e-4f)};
   const Vec3f wo{safe_sqrt(1.0f - sqr(cos_theta)), 0.0f, cos_theta};
-  float sum = 0.0f;
+  Share sum;
   for (std::uint32_t i = 0; i < kSamples; ++i) {
     const Sample2d u = SampleStream(Sequence::sobol, 0, 0, i).get_2d(0);
     const Vec3f m = ggx.sample_visible(wo, {u.x, 1.0f - sqr(u.y)});
     const float cos_i = dot(wo, m), f = fresnel_dielectric(cos_i, eta);
+    const float weight = 2.0f * u.y / (kSamples * ggx.g1(wo));
     const Vec3f up = reflect(wo, m);
-    if (up.z > 0.0f) sum += 2.0f * u.y * f * ggx.g2(wo, up);
+    const float up_share = up.z > 0.0f ? weight * ggx.g2(wo, up) : 0.0f;
+    sum.total += f * up_share;
     if (f == 1.0f) continue;
     const Vec3f down = refract(wo, m, eta);
-    if (down.z < 0.0f) sum += 2.0f * u.y * (1.0f - f) * ggx.g2(wo, down);
+    const float down_share = down.z < 0.0f ? weight * ggx.g2(wo, down) : 0.0f;
+    sum.total += (1.0f - f) * down_share;
+    const float exchanged = f * (down_share - up_share);
+    sum.exchanged += exchanged;
+    sum.exchanged_grazing += exchanged * schlick_weight(SpecularScale::thin_cosine(cos_i, eta));
   }
-  return sum / (kSamples * ggx.g1(wo));
+  return sum;
 }
-
-}  // namespace
 
 GlassAlbedo::GlassAlbedo(std::vector<float> iors, Range roughness)
     : iors_(std::move(iors)),
@@ -68,13 +74,14 @@ std::size_t GlassAlbedo::entry(std::size_t ior, int roughness, bool inside, int 
   return (2 * row + (inside ? 1 : 0)) * kCosines + static_cast<std::size_t>(cosine);
 }
 
-float GlassAlbedo::row(std::size_t ior, int roughness, bool inside, float cos_theta) const {
+float GlassAlbedo::row(std::size_t ior, int roughness, bool inside, float cos_theta,
+                       SpecularScale specular) const {
   const auto c = locate(safe_sqrt(cos_theta), kCosines);
-  return c.weight(0) * share_[entry(ior, roughness, inside, c.cell)] +
-         c.weight(1) * share_[entry(ior, roughness, inside, c.cell + 1)];
+  return c.weight(0) * share_[entry(ior, roughness, inside, c.cell)].of(specular) +
+         c.weight(1) * share_[entry(ior, roughness, inside, c.cell + 1)].of(specular);
 }
 
-float GlassAlbedo::operator()(float cos_theta, float roughness, float eta) const {
+float GlassAlbedo::operator()(float cos_theta, float roughness, float eta, SpecularScale specular) const {
   const bool inside = eta < 1.0f;
   const float ior = inside ? 1.0f / eta : eta;
   const auto above = static_cast<std::size_t>(std::ranges::lower_bound(iors_, ior) - iors_.begin());
@@ -84,8 +91,8 @@ float GlassAlbedo::operator()(float cos_theta, float roughness, float eta) const
   float share = 0.0f;
   for (int j = 0; j < 2; ++j)
     if (const float weight = r.weight(j); weight > 0.0f) {
-      if (t < 1.0f) share += (1.0f - t) * weight * row(low, r.cell + j, inside, cos_theta);
-      if (t > 0.0f) share += t * weight * row(high, r.cell + j, inside, cos_theta);
+      if (t < 1.0f) share += (1.0f - t) * weight * row(low, r.cell + j, inside, cos_theta, specular);
+      if (t > 0.0f) share += t * weight * row(high, r.cell + j, inside, cos_theta, specular);
     }
   return share;
 }

@@ -30,6 +30,8 @@ struct MaterialTextures {
   Texture specular_color;
   Texture clearcoat;            ///< red
   Texture clearcoat_roughness;  ///< green
+  Texture clearcoat_normal;     ///< as normal
+  float clearcoat_normal_scale = 1.0f;
   Texture sheen_color;
   Texture sheen_roughness;        ///< alpha
   Texture anisotropy;             ///< direction in red and green, [0, 1] for [−1, 1]; strength in blue

@@ -33,7 +33,11 @@ BsdfKind opaque_kind_of(const Material& m) {
 }
 
 BsdfKind glass_kind_of(const Material& m) {
-  return m.extensions.is_spectral_glass() && m.ior != 0.0f ? BsdfKind::spectral_glass : BsdfKind::glass;
+  const auto* specular = std::get_if<ConstantSpectrum>(&m.specular_color);
+  const bool colored =
+      specular == nullptr || specular->value != 1.0 || has_texture(m, &MaterialTextures::specular_color);
+  return (m.extensions.is_spectral_glass() || colored) && m.ior != 0.0f ? BsdfKind::spectral_glass
+                                                                        : BsdfKind::glass;
 }
 
 std::shared_ptr<const MaterialExtensions> extensions_of(const Material& m) {
@@ -53,6 +57,8 @@ Surface::Surface(const Material& m)
       base_varies(!m.unlit && (m.has_vertex_colors || has_texture(m, &MaterialTextures::base_color))),
       emission_varies(has_texture(m, &MaterialTextures::emissive) || m.unlit),
       maps_normals(has_texture(m, &MaterialTextures::normal)),
+      coat_has_normals(m.extensions.clearcoat > 0.0f &&
+                       (maps_normals || has_texture(m, &MaterialTextures::clearcoat_normal))),
       partly_covers(has_partial_alpha(m)),
       base_color(m.base_color),
       specular_color(m.specular_color),

@@ -27,7 +27,8 @@ struct Surface {
   bool encloses;  ///< a medium that rays can enter
   bool base_varies, emission_varies;
   bool maps_normals;
-  bool partly_covers;  ///< rays may pass where alpha is below 1
+  bool coat_has_normals;  ///< clearcoat whose normals differ from the base's
+  bool partly_covers;     ///< rays may pass where alpha is below 1
 
   Spectrum base_color, specular_color;
   Vec3f base_factor, specular_color_factor;

@@ -18,9 +18,8 @@ struct VertexPacket {
       const std::uint32_t m = geometry.shapes[hit.shape].material;
       material[static_cast<std::size_t>(i)] = m;
       if (scene.surfaces[m].maps_normals)
-        set_lane(
-            point.shading_normal, i,
-            mapped_normal(geometry, hit, lane(point, i), lane(wo_world, i), *scene.surfaces[m].textures));
+        set_lane(point.shading_normal, i,
+                 mapped_normal(geometry, hit, lane(point, i), lane(wo_world, i), scene.surfaces[m]));
     }
     frame = shading_frame(point, wo_world, Bsdf::kTwoSided);
     if constexpr (requires { Bsdf::kHasGrain; }) {
@@ -33,7 +32,11 @@ struct VertexPacket {
       const std::uint32_t slot = packet[i];
       const ShadingMaterial<N> at_hit(surface(scene, i), batch.wavelengths[slot].lambda,
                                       {geometry, batch.hits[slot]}, batch.outside_of(slot, scene));
-      bsdf[static_cast<std::size_t>(i)].emplace(make_bsdf<Bsdf>(at_hit, lane(wo, i), batch.throughput[slot]));
+      bsdf[static_cast<std::size_t>(i)].emplace(
+          make_bsdf<Bsdf>(at_hit, lane(wo, i), batch.throughput[slot], [&] {
+            return coat_normal(geometry, batch.hits[slot], lane(wo_world, i), surface(scene, i),
+                               lane(frame, i), lane(point.geometric_normal, i));
+          }));
     }
   }
 

@@ -115,10 +115,6 @@ void load_surface(const tinygltf::Material& source, MaterialExtensions& x) {
 
 }  // namespace
 
-bool has_unread_textures(const tinygltf::Material& source) {
-  return Extension(source, "KHR_materials_clearcoat").has("clearcoatNormalTexture");
-}
-
 void load_material_extensions(const GltfDocument& document, std::size_t index, Material& material) {
   const tinygltf::Material& source = document.model.materials[index];
   load_coats(source, material.extensions);

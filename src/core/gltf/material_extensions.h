@@ -35,7 +35,4 @@ class Extension {
 /// @throws InputError
 void load_material_extensions(const GltfDocument& document, std::size_t index, Material& material);
 
-/// Whether textures vary an extension of load_material_extensions, which reads its factors alone.
-bool has_unread_textures(const tinygltf::Material& source);
-
 }  // namespace photopic
