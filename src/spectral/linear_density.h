@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "spectral/lanes.h"
+#include "spectral/float_vectors.h"
 
 namespace photopic {
 

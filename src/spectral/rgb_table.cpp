@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "spectral/lanes.h"
+#include "spectral/float_vectors.h"
 
 namespace photopic {
 namespace rgb_table {

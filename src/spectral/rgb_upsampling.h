@@ -23,12 +23,12 @@ struct SigmoidPolynomial {
 
   template <int N>
   SampledSpectrum<N> operator()(SampledSpectrum<N> lambda) const {
-    using Lanes = typename SampledSpectrum<N>::Lanes;
-    const Lanes x =
+    using Vector = typename SampledSpectrum<N>::Vector;
+    const Vector x =
         (lambda.v - static_cast<float>(kLambdaMin)) * static_cast<float>(1.0 / (kLambdaMax - kLambdaMin));
-    const Lanes y = (c0 * x + c1) * x + c2, most = Lanes{} + kSaturated;
-    const Lanes below = y > most ? most : y;
-    const Lanes within = below < -most ? -most : below;
+    const Vector y = (c0 * x + c1) * x + c2, most = Vector{} + kSaturated;
+    const Vector below = y > most ? most : y;
+    const Vector within = below < -most ? -most : below;
     return 0.5f + 0.5f * within / sqrt_of(1.0f + within * within);
   }
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "spectral/lanes.h"
+#include "spectral/float_vectors.h"
 
 namespace photopic {
 
@@ -35,12 +35,12 @@ struct FloatLanes<16> {
 /// N values of one spectral quantity, at the N wavelengths of the path they travel with; N is 1, 4, 8 or 16.
 template <int N>
 struct SampledSpectrum {
-  using Lanes = typename FloatLanes<N>::Type;
-  Lanes v;
+  using Vector = typename FloatLanes<N>::Type;
+  Vector v;
 
   SampledSpectrum() = default;
-  explicit SampledSpectrum(float value) : v(Lanes{} + value) {}
-  SampledSpectrum(Lanes lanes) : v(lanes) {}
+  explicit SampledSpectrum(float value) : v(Vector{} + value) {}
+  SampledSpectrum(Vector vector) : v(vector) {}
 
   float operator[](int i) const { return v[i]; }
   void set(int i, float value) { v[i] = value; }

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "spectral/float_vectors.h"
 #include "spectral/guide_table.h"
-#include "spectral/lanes.h"
 #include "spectral/observer.h"
 #include "spectral/sampled_spectrum.h"
 #include "spectral/spectrum.h"

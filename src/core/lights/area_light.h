@@ -7,6 +7,7 @@
 #include "core/lights/light_sample_lanes.h"
 #include "core/sampling.h"
 #include "core/scene.h"
+#include "core/surface.h"
 #include "core/surface_point.h"
 
 namespace photopic {

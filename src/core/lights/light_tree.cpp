@@ -1,14 +1,10 @@
 #include "core/lights/light_tree.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <numeric>
 
 namespace photopic {
 namespace {
-
-using Lanes = FloatLanes<16>::Type;
 
 /// Clusters whose normals lie within 26° and whose radius is below a quarter of the distance are chosen from
 /// by power alone: more would cost more than it tells.
@@ -18,14 +14,9 @@ constexpr float kSmall2 = 0.06f;
 /// Squared distance [m²] that keeps importances finite.
 constexpr float kLeastDistance2 = 1e-30f;
 
+/// The second where the numbers cannot be compared.
 Lanes larger(Lanes a, Lanes b) {
   return a > b ? a : b;
-}
-
-Lanes root(Lanes a) {
-  Lanes r;
-  for (int i = 0; i < 16; ++i) r[i] = std::sqrt(a[i]);
-  return r;
 }
 
 /// The largest number below x > 0 that 24 bits tell from it.
@@ -37,12 +28,12 @@ float just_below(float x) {
 
 /// What may arrive from each at most, roughly: power / distance² × the cosines at both ends, each at its most
 /// favourable within the sphere about the box. Where the sphere lies below the surface's plane, nothing.
-LightTree::Lanes LightTree::Node::importance(const LightReference& at) const {
+Lanes LightTree::Node::importance(const LightReference& at) const {
   // Within the sphere its radius is the distance.
   const Lanes dx = x - at.position.x, dy = y - at.position.y, dz = z - at.position.z;
   const Lanes to_middle2 = dx * dx + dy * dy + dz * dz, radius2 = radius * radius;
   const auto inside = to_middle2 <= radius2;
-  const Lanes inverse = 1.0f / root(larger(larger(to_middle2, radius2), kLeastDistance2 + Lanes{}));
+  const Lanes inverse = 1.0f / sqrt(larger(larger(to_middle2, radius2), kLeastDistance2 + Lanes{}));
   const Lanes sin_b = radius * inverse;  // half the angle that the sphere subtends
 
   const Vec3f n = at.normal;
@@ -51,11 +42,11 @@ LightTree::Lanes LightTree::Node::importance(const LightReference& at) const {
 
   // At the light: the angle to the axis, less the cone's and the sphere's.
   const Lanes along = -(axis_x * dx + axis_y * dy + axis_z * dz) * inverse;
-  const Lanes cos_w = larger(along, along * other_side), sin_w = root(larger(1.0f - cos_w * cos_w, Lanes{}));
+  const Lanes cos_w = larger(along, along * other_side), sin_w = sqrt(larger(1.0f - cos_w * cos_w, Lanes{}));
   const auto in_cone = cos_w >= cos_o;
   const Lanes cos_x = in_cone ? 1.0f + Lanes{} : cos_w * cos_o + sin_w * sin_o;
   const Lanes sin_x = in_cone ? Lanes{} : sin_w * cos_o - cos_w * sin_o;
-  const Lanes cos_b = root(larger(1.0f - sin_b * sin_b, Lanes{}));
+  const Lanes cos_b = sqrt(larger(1.0f - sin_b * sin_b, Lanes{}));
   const Lanes cos_light = inside || cos_x >= cos_b ? 1.0f + Lanes{} : cos_x * cos_b + sin_x * sin_b;
   const Lanes shines = cos_light > cos_e ? larger(cos_light, Lanes{}) : Lanes{};
   return power * cos_surface * shines * (inverse * inverse);
@@ -134,24 +125,8 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
       ++lane;
     }
   }
-  if (getenv("LT")) {
-    size_t full = 0, leafn = 0;
-    for (auto& n : nodes_) {
-      int c = 0;
-      bool leaf = true;
-      for (int i = 0; i < 16; ++i)
-        if (n.power[i] > 0) {
-          ++c;
-          if (n.child[i] >= 0) leaf = false;
-        }
-      full += c;
-      leafn += leaf;
-    }
-    fprintf(stderr, "lights %zu nodes %zu mean fill %.2f leaf nodes %zu size %zu\n", lights.size(),
-            nodes_.size(), double(full) / nodes_.size(), leafn, sizeof(Node));
-  }
 }
-//
+
 LightTree::Choice LightTree::choose(const LightReference& at, double u) const {
   float probability = 1.0f;
   bool by_power = false;

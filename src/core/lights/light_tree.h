@@ -33,8 +33,7 @@ class LightTree {
   float probability(const LightReference& at, std::uint32_t light) const;
 
  private:
-  static constexpr std::uint32_t kWidth = 16;
-  using Lanes = FloatLanes<kWidth>::Type;
+  static constexpr std::uint32_t kWidth = kLanes;
 
   /// What is known of each branch, a line of memory a quantity; branches that are missing have no power.
   struct alignas(64) Node {

@@ -25,10 +25,10 @@ void store(void* numbers, Four four) {
 }
 
 /// The square root of each.
-template <typename Lanes>
-inline Lanes sqrt_of(Lanes square) {
-  constexpr int kLanes = sizeof(square) / sizeof(square[0]);
-  for (int j = 0; j < kLanes; ++j) square[j] = std::sqrt(square[j]);
+template <typename Vector>
+inline Vector sqrt_of(Vector square) {
+  constexpr int kSize = sizeof(square) / sizeof(square[0]);
+  for (int j = 0; j < kSize; ++j) square[j] = std::sqrt(square[j]);
   return square;
 }
 
@@ -69,8 +69,8 @@ inline float sum_of(Float16 v) {
   return sum_of(low(v) + high(v));
 }
 
-template <typename Lanes>
-inline Lanes larger(Lanes a, Lanes b) {
+template <typename Vector>
+inline Vector larger(Vector a, Vector b) {
   return a > b ? a : b;
 }
 inline float largest_of(Float1 v) {
