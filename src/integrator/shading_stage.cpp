@@ -62,14 +62,21 @@ LightSampleLanes ShadingStage<N>::choose_lights(PathBatch<N>& batch, const Packe
   LightSampleLanes lights;
   if (scene_.lights.sample_only_light(vertices.point.position, u, lights)) return lights;
   const UintLanes choice = stream.bits(bounce_dimension(depth, kLightChoice));
+  LightReferenceLanes at{.position = vertices.point.position,
+                         .normal = {},
+                         .spectra = {},
+                         .u_choice = {},
+                         .u = u,
+                         .count = packet.count};
+  if (!Bsdf::kLitFromBehind) at.normal = vertices.frame.n;
   for (int i = 0; i < packet.count; ++i) {
     const std::uint32_t slot = packet[i];
     weigh_spectra(batch, slot);
-    const Vec3f lit_side = Bsdf::kLitFromBehind ? Vec3f{} : lane(vertices.frame.n, i);
-    if (scene_.lights.uses_normals()) batch.normal.set(slot, lit_side);
-    lights.set(i, scene_.lights.sample({lane(vertices.point.position, i), lit_side}, batch.spectra_of(slot),
-                                       SampleStream::fine(choice[i]), lane(u, i)));
+    if (scene_.lights.uses_normals()) batch.normal.set(slot, lane(at.normal, i));
+    at.spectra[static_cast<std::size_t>(i)] = batch.spectra_of(slot);
+    at.u_choice[static_cast<std::size_t>(i)] = SampleStream::fine(choice[i]);
   }
+  scene_.lights.sample(at, lights);
   return lights;
 }
 

@@ -8,12 +8,6 @@
 namespace photopic {
 namespace {
 
-/// Squared distance in squared longest edges of the light beyond which solid angle and area are sampled
-/// alike.
-constexpr float kFar2 = 3.0f;
-/// Squared height above the plane, likewise, below which the solid angle is lost in rounding.
-constexpr float kTouching2 = 1e-11f;
-
 using Corners = std::array<Vec3f, 3>;
 
 Corners corners_of(const Geometry& geometry, std::uint32_t triangle) {
@@ -111,8 +105,9 @@ SphericalPolygon seen_from(Vec3f from, const AreaLight& light, float height) {
 
 bool is_by_area(Vec3f from, const AreaLight& light, float height) {
   const Vec3f to_middle = light.middle() - from;
-  const float extent2 = std::max(dot(light.edge1, light.edge1), dot(light.edge2, light.edge2));
-  return dot(to_middle, to_middle) > kFar2 * extent2 || height * height < kTouching2 * extent2;
+  const float extent2 = light.extent2();
+  return dot(to_middle, to_middle) > AreaLight::kFar2 * extent2 ||
+         height * height < AreaLight::kTouching2 * extent2;
 }
 
 }  // namespace
@@ -144,32 +139,6 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
   s.material = material;
   s.triangle = triangle + (parallelogram && half == 0 ? 1u : 0u);
   return s;
-}
-
-void AreaLight::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& s) const {
-  const auto all = [](Vec3f v) { return Vec3Lanes{Lanes{} + v.x, Lanes{} + v.y, Lanes{} + v.z}; };
-  const Vec3Lanes n = all(normal), to_vertex = all(vertex) - from, to_middle = all(middle()) - from;
-  const Lanes h = dot(n, to_vertex);
-  s.reached = double_sided ? h != 0.0f : h < 0.0f;
-  const IntLanes near = s.reached & (dot(to_middle, to_middle) <= far2) & (h * h >= kTouching2 * far2);
-
-  // By area.
-  const Sample2dLanes b = parallelogram ? u : sample_triangle(u);
-  const Vec3Lanes to_point = to_vertex + all(edge1) * b.x + all(edge2) * b.y;
-  const Lanes distance2 = dot(to_point, to_point);
-  s.distance = sqrt(distance2);
-  s.direction = to_point / s.distance;
-  s.pdf = distance2 * s.distance / (abs(h) * area);
-  s.end = from + to_point + n * select(h < 0.0f, Lanes{} + error, Lanes{} - error);
-  s.radiance = Lanes{} + luminance;
-  s.spectrum = IntLanes{} + spectrum;
-  s.material = UintLanes{} + material;
-  s.triangle = UintLanes{} + triangle;
-  if (parallelogram) s.triangle += b.x > b.y ? UintLanes{} + 1u : UintLanes{};
-
-  // By solid angle, where the light looms large.
-  for (int i = 0; i < kLanes; ++i)
-    if (near[i]) s.set(i, sample(lane(from, i), lane(u, i)));
 }
 
 float AreaLight::pdf(Vec3f from, float distance) const {

@@ -17,13 +17,13 @@ class SphericalPolygon {
   /// is a repetition
   /// @param volume of the parallelepiped that each triangle of the fan spans with the viewer, > 0 [m³]
   SphericalPolygon(const std::array<Vec3f, 4>& vertices, int count, float volume) : parts_(count - 2) {
-    using Lanes = FloatLanes<4>::Type;
-    Lanes x, y, z, inverse_length;
+    using Corners = FloatLanes<4>::Type;
+    Corners x, y, z, inverse_length;
     for (int i = 0; i < 4; ++i) {
       const Vec3f v = vertices[static_cast<std::size_t>(i)];
       x[i] = v.x, y[i] = v.y, z[i] = v.z;
     }
-    const Lanes squared = x * x + y * y + z * z;
+    const Corners squared = x * x + y * y + z * z;
     for (int i = 0; i < 4; ++i) inverse_length[i] = std::sqrt(squared[i]);
     inverse_length = 1.0f / inverse_length;
     x *= inverse_length, y *= inverse_length, z *= inverse_length;
@@ -54,7 +54,7 @@ class SphericalPolygon {
     const int i = parts_ == 2 && angle >= part_[0].solid_angle ? 1 : 0;
     if (i == 1) angle -= part_[0].solid_angle;
     const Part& p = part_[i];
-    const SinCos half = sin_cos_two_pi(std::clamp(angle, 0.0f, p.solid_angle) * (0.25f / kPi));
+    const auto half = sin_cos_two_pi(std::clamp(angle, 0.0f, p.solid_angle) * (0.25f / kPi));
     const Vec3f a = unit_[0], b = unit_[i + 1];
     const Vec3f middle =
         b * (p.sine * half.cos - p.cosines * half.sin) + unit_[i + 2] * (p.one_plus_cosine * half.sin);
