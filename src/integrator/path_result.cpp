@@ -26,11 +26,13 @@ void PathTracer<N>::finish(std::span<const PathKey> paths, Film& film) {
 template <int N>
 void PathTracer<N>::count_non_finite(std::span<const PathKey> paths) {
   const RenderStats before = stats_;
+  const std::uint64_t splits = shading_.split_paths();
   NonFiniteWatch<N> watch(batch_, paths.size());
   watch_ = &watch;
   advance(paths);
   watch_ = nullptr;
   stats_ = before;
+  splits_seen_twice_ += shading_.split_paths() - splits;
   stats_.non_finite += paths.size();
   stats_.non_finite_causes += watch.counts();
 }

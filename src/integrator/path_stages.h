@@ -5,7 +5,7 @@
 #include "integrator/integrator.h"
 #include "integrator/non_finite_watch.h"
 #include "integrator/path_batch.h"
-#include "integrator/vertex.h"
+#include "integrator/shading_stage.h"
 
 namespace photopic {
 
@@ -18,7 +18,11 @@ class PathTracer {
   /// Traces the paths and adds them to the film in the order given. At most options.batch_size of them.
   void trace(std::span<const PathKey> paths, Film& film);
 
-  const RenderStats& stats() const { return stats_; }
+  RenderStats stats() const {
+    RenderStats s = stats_;
+    s.split_paths = shading_.split_paths() - splits_seen_twice_;
+    return s;
+  }
 
  private:
   /// Every stage of the paths, up to what each has gathered.
@@ -30,14 +34,6 @@ class PathTracer {
   void escape();
   void absorb_and_emit();
   void sort_by_bsdf(int depth);
-  template <typename Bsdf>
-  void shade(std::span<const std::uint32_t> slots, int depth);
-  void weigh_spectra(std::uint32_t slot);
-  SampledSpectrum<N> lamp_tint(std::uint32_t slot, const LightSample& light) const;
-  template <typename Bsdf>
-  void sample_light(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex);
-  template <typename Bsdf>
-  void sample_direction(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex);
   void trace_shadow_rays();
   void roulette(int depth);
   bool is_lost(std::size_t slot) const;
@@ -48,7 +44,9 @@ class PathTracer {
   const WavelengthSampler& sampler_;
   const RenderOptions& options_;
   PathBatch<N> batch_;
+  ShadingStage<N> shading_;
   RenderStats stats_;
+  std::uint64_t splits_seen_twice_ = 0;
   NonFiniteWatch<N>* watch_ = nullptr;  ///< set while count_non_finite() traces paths once more
 };
 

@@ -14,6 +14,16 @@ inline SurfacePoint mapped_point(const Geometry& geometry, const Hit& hit, Vec3f
   return point;
 }
 
+/// @param wo in the shading frame @param throughput of the path so far: a BSDF that must choose a wavelength
+/// goes by it
+template <typename Bsdf, int N>
+Bsdf make_bsdf(const ShadingMaterial<N>& material, Vec3f wo, SampledSpectrum<N> throughput) {
+  if constexpr (std::is_constructible_v<Bsdf, ShadingMaterial<N>, Vec3f, SampledSpectrum<N>>)
+    return Bsdf(material, wo, throughput);
+  else
+    return Bsdf(material, wo);
+}
+
 /// A vertex of a path: a hit with its frame and its BSDF at the path's wavelengths. Directions are in world
 /// space.
 template <int N, typename Bsdf>
@@ -26,20 +36,14 @@ struct Vertex {
         point(mapped_point(scene.scene.geometry, hit, wo_world, surface)),
         frame(make_frame(scene.scene.geometry, hit, wo_world)),
         wo(frame.to_local(wo_world)),
-        bsdf(make_bsdf(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}), wo, throughput)) {}
+        bsdf(make_bsdf<Bsdf>(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}), wo,
+                             throughput)) {}
 
   Frame make_frame(const Geometry& geometry, const Hit& hit, Vec3f wo_world) const {
     const Frame any = shading_frame(point, wo_world, Bsdf::kTwoSided);
     if constexpr (requires { Bsdf::kHasGrain; })
       if (surface.extensions->anisotropy > 0.0f) return grain_frame(geometry, hit, point, any);
     return any;
-  }
-
-  static Bsdf make_bsdf(const ShadingMaterial<N>& material, Vec3f wo, SampledSpectrum<N> throughput) {
-    if constexpr (std::is_constructible_v<Bsdf, ShadingMaterial<N>, Vec3f, SampledSpectrum<N>>)
-      return Bsdf(material, wo, throughput);
-    else
-      return Bsdf(material, wo);
   }
 
   BsdfValue<N> evaluate(Vec3f wi) const {
@@ -62,9 +66,6 @@ struct Vertex {
   bool sides_agree(Vec3f wi, float cos_theta) const {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
   }
-
-  /// The side that light counts from, for choosing lights: the normal's, or (zero) both.
-  Vec3f lit_side() const { return Bsdf::kLitFromBehind ? Vec3f{} : frame.n; }
 
   /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.
   std::int32_t medium_towards(Vec3f w, std::int32_t current) const {

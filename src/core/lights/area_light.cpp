@@ -130,10 +130,6 @@ double AreaLight::power() const {
   return std::numbers::pi * mean_luminance * area * (double_sided ? 2.0 : 1.0);
 }
 
-float AreaLight::rounding(Vec3f from) const {
-  return std::max(error, kPositionError * max_abs(from));
-}
-
 std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
   const float h = height(from);
   if (h == 0.0f || (h > 0.0f && !double_sided)) return {};
@@ -164,6 +160,34 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
   s.material = material;
   s.triangle = triangle + (parallelogram && half == 0 ? 1u : 0u);
   return s;
+}
+
+void AreaLight::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& s) const {
+  const auto all = [](Vec3f v) { return Vec3Lanes{Lanes{} + v.x, Lanes{} + v.y, Lanes{} + v.z}; };
+  const Vec3Lanes n = all(normal), to_vertex = all(vertex) - from, to_middle = all(middle()) - from;
+  const Lanes h = dot(n, to_vertex);
+  s.reached = double_sided ? h != 0.0f : h < 0.0f;
+  const IntLanes near = s.reached & (dot(to_middle, to_middle) <= far2) & (h * h >= kTouching2 * far2) &
+                        (abs(h) >= rounding(from));
+
+  // By area.
+  const Sample2dLanes b = parallelogram ? u : sample_triangle(u);
+  const Vec3Lanes to_point = to_vertex + all(edge1) * b.x + all(edge2) * b.y;
+  const Lanes distance2 = dot(to_point, to_point);
+  s.distance = sqrt(distance2);
+  s.direction = to_point / s.distance;
+  s.pdf = distance2 * s.distance / (abs(h) * area);
+  const Lanes away = rounding(from);
+  s.end = from + to_point + n * select(h < 0.0f, away, -away);
+  s.radiance = Lanes{} + luminance;
+  s.spectrum = IntLanes{} + spectrum;
+  s.material = UintLanes{} + material;
+  s.triangle = UintLanes{} + triangle;
+  if (parallelogram) s.triangle += b.x > b.y ? UintLanes{} + 1u : UintLanes{};
+
+  // By solid angle, where the light looms large.
+  for (int i = 0; i < kLanes; ++i)
+    if (near[i]) s.set(i, sample(lane(from, i), lane(u, i)));
 }
 
 float AreaLight::pdf(Vec3f from, float distance) const {

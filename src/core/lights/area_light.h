@@ -4,10 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "core/lights/light.h"
+#include "core/lights/light_sample_lanes.h"
 #include "core/sampling.h"
 #include "core/scene.h"
 #include "core/surface.h"
+#include "core/surface_point.h"
 
 namespace photopic {
 
@@ -35,10 +36,16 @@ struct AreaLight {
 
   /// Bound on what rounding does to that height, and to a ray from there to the light [m]: it grows with the
   /// coordinates of either.
-  float rounding(Vec3f from) const;
+  template <typename T>
+  T rounding(Vec3<T> from) const {
+    return max(T{} + error, kPositionError * max_abs(from));
+  }
 
   /// Nothing where it cannot be seen from.
   std::optional<LightSample> sample(Vec3f from, Sample2d u) const;
+
+  /// The same from 16 points at once.
+  void sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const;
 
   /// The density of sample() [1/sr] in the direction of a point of it. @param distance to it [m]
   float pdf(Vec3f from, float distance) const;
