@@ -5,8 +5,10 @@
 namespace photopic {
 namespace {
 
-/// Roulette spares the first bounces: they carry most of the light.
+/// Roulette spares the first bounces, which carry most of the light, and after them paths whose throughput is
+/// one over kSpared or more: docs/benchmarks.md has the figures.
 constexpr int kRouletteDepth = 3;
+constexpr float kSpared = 2.0f;
 
 }  // namespace
 
@@ -168,13 +170,13 @@ void PathTracer<N>::trace_shadow_rays() {
     if (!batch_.blocked[slot]) batch_.radiance[slot] += batch_.shadow_radiance[slot];
 }
 
-/// Ends paths with the probability 1 − max β: the brightest wavelength decides, so none is thrown away that
+/// Ends paths with the probability 1 − 2 max β: the brightest wavelength decides, so none is thrown away that
 /// counts.
 template <int N>
 void PathTracer<N>::roulette(int depth) {
   if (depth < kRouletteDepth) return;
   std::erase_if(batch_.active, [&](std::uint32_t slot) {
-    const float survival = batch_.throughput[slot].max() * batch_.eta_scale[slot];
+    const float survival = kSpared * batch_.throughput[slot].max() * batch_.eta_scale[slot];
     if (survival >= 1.0f) return false;
     if (batch_.stream[slot].get_1d(bounce_dimension(depth, kRoulette)) >= survival) return true;
     batch_.throughput[slot] *= 1.0f / survival;
