@@ -61,7 +61,9 @@ struct Fixture {
   explicit Fixture(const Material& material) : surface(material) {}
 
   Bsdf<N> make(Vec3f wo) const {
-    return Vertex<N, Bsdf<N>>::make_bsdf(ShadingMaterial<N>(surface, lambda), wo, SampledSpectrum<N>(1.0f));
+    return make_bsdf<Bsdf<N>>(ShadingMaterial<N>(surface, lambda), wo, SampledSpectrum<N>(1.0f), [] {
+      return Vec3f{0, 0, 1};
+    });
   }
   /// A direction in the upper half, another each time.
   Vec3f next() {

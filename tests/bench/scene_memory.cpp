@@ -54,6 +54,7 @@ constexpr Texture MaterialTextures::*kTextures[] = {&MaterialTextures::base_colo
                                                     &MaterialTextures::specular_color,
                                                     &MaterialTextures::clearcoat,
                                                     &MaterialTextures::clearcoat_roughness,
+                                                    &MaterialTextures::clearcoat_normal,
                                                     &MaterialTextures::sheen_color,
                                                     &MaterialTextures::sheen_roughness,
                                                     &MaterialTextures::anisotropy,

@@ -7,7 +7,7 @@
 
 namespace photopic {
 
-/// What a batch of paths spends its time on; from kStageShade on a stage for each BsdfKind, light sampling
+/// What a batch of paths goes through; from kStageShade on a stage for each BsdfKind, light sampling
 /// included.
 enum Stage : std::size_t {
   kStageStart,      ///< sample streams, wavelengths, camera rays
@@ -21,20 +21,27 @@ enum Stage : std::size_t {
   kStages = kStageShade + kBsdfKinds
 };
 
+inline Stage shading_stage(BsdfKind kind) {
+  return static_cast<Stage>(kStageShade + static_cast<std::size_t>(kind));
+}
+
+/// Told when a stage is done with the batch. Most renders have none.
+class StageWatch {
+ public:
+  virtual ~StageWatch() = default;
+  virtual void after(Stage stage) = 0;
+};
+
 /// Processor seconds of each Stage, of all threads together.
 using StageSeconds = std::array<double, kStages>;
 
-/// Tells apart what stages cost, where that is asked for. Stages work on whole batches: looking at the clock
-/// between them costs little, not looking nothing.
-class StageClock {
+/// Tells apart what stages cost.
+class StageClock : public StageWatch {
  public:
-  StageClock(bool on, StageSeconds& seconds) : on_(on), seconds_(seconds) {
-    if (on_) last_ = now();
-  }
+  explicit StageClock(StageSeconds& seconds) : seconds_(seconds) {}
 
-  /// The time since the last stamp was the stage's.
-  void stamp(std::size_t stage) {
-    if (!on_) return;
+  /// The time since the last stage was this one's.
+  void after(Stage stage) override {
     const double time = now();
     seconds_[stage] += time - last_;
     last_ = time;
@@ -48,9 +55,8 @@ class StageClock {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
   }
 
-  bool on_;
   StageSeconds& seconds_;
-  double last_ = 0.0;
+  double last_ = now();
 };
 
 }  // namespace photopic
