@@ -6,8 +6,10 @@
 namespace photopic {
 namespace {
 
-/// Roulette spares the first bounces: they carry most of the light.
+/// Roulette spares the first bounces, which carry most of the light, and after them paths whose throughput is
+/// one over kSpared or more: docs/benchmarks.md has the figures.
 constexpr int kRouletteDepth = 3;
+constexpr float kSpared = 2.0f;
 
 }  // namespace
 
@@ -183,7 +185,7 @@ void PathTracer<N>::trace_shadow_rays() {
     if (!batch_.blocked[slot]) batch_.radiance[slot] += batch_.shadow_radiance[slot];
 }
 
-/// Ends paths with the probability 1 − max β: the brightest wavelength decides, so none is thrown away that
+/// Ends paths with the probability 1 − 2 max β: the brightest wavelength decides, so none is thrown away that
 /// counts.
 template <int N>
 void PathTracer<N>::roulette(int depth) {
@@ -194,7 +196,7 @@ void PathTracer<N>::roulette(int depth) {
     const Lanes u = batch_.stream.gather(packet).get_1d(bounce_dimension(depth, kRoulette));
     for (int i = 0; i < packet.count; ++i) {
       const std::uint32_t slot = packet[i];
-      const float survival = batch_.throughput[slot].max() * batch_.eta_scale[slot];
+      const float survival = kSpared * batch_.throughput[slot].max() * batch_.eta_scale[slot];
       if (u[i] >= survival) continue;
       if (survival < 1.0f) batch_.throughput[slot] *= 1.0f / survival;
       batch_.active[alive++] = slot;
