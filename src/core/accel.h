@@ -16,6 +16,9 @@ struct Vec3Array {
   explicit Vec3Array(std::size_t size) : x(size), y(size), z(size) {}
   Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
   void set(std::size_t i, Vec3f v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  Vec3Lanes gather(const Packet& p) const {
+    return {photopic::gather(x.data(), p), photopic::gather(y.data(), p), photopic::gather(z.data(), p)};
+  }
 };
 
 /// Rays that stand in slots; t counts in lengths of the direction.

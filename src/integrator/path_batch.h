@@ -13,16 +13,34 @@
 
 namespace photopic {
 
+/// The sample streams of many paths.
+class StreamArray {
+ public:
+  StreamArray(std::size_t size, Sequence sequence)
+      : sequence_(sequence), seed_(size), index_reversed_(size) {}
+  SampleStream operator[](std::size_t i) const { return {sequence_, seed_[i], index_reversed_[i]}; }
+  void set(std::size_t i, const SampleStream& stream) {
+    seed_[i] = stream.seed(), index_reversed_[i] = stream.index_reversed();
+  }
+  SampleStreamLanes gather(const Packet& p) const {
+    return {sequence_, photopic::gather(seed_.data(), p), photopic::gather(index_reversed_.data(), p)};
+  }
+
+ private:
+  Sequence sequence_;
+  std::vector<std::uint32_t> seed_, index_reversed_;
+};
+
 /// The state of many paths as structure of arrays, an entry a slot. Slots stay; queues of slot numbers shrink
 /// as paths end.
 template <int N>
 struct PathBatch {
   /// What a scene does not have is not stored.
-  PathBatch(std::size_t capacity, const PreparedScene& scene)
+  PathBatch(std::size_t capacity, Sequence sequence, const PreparedScene& scene)
       : rays(capacity),
         hits(capacity),
         pixel(capacity),
-        stream(capacity),
+        stream(capacity, sequence),
         sampled(capacity),
         wavelengths(capacity),
         emission(capacity * scene.scene.emission_spectra.size()),
@@ -69,7 +87,7 @@ struct PathBatch {
   RayArray rays;
   std::vector<Hit> hits;
   std::vector<std::uint32_t> pixel;
-  std::vector<SampleStream> stream;
+  StreamArray stream;
   std::vector<SampledWavelengths<N>> sampled;  ///< on the way from the draw to the look-ups
   std::vector<PathWavelengths<N>> wavelengths;
   std::vector<SampledSpectrum<N>> emission;

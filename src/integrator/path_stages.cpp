@@ -2,12 +2,6 @@
 
 #include <limits>
 
-#include "core/conductor_bsdf.h"
-#include "core/glass_bsdf.h"
-#include "core/layered_bsdf.h"
-#include "core/opaque_bsdf.h"
-#include "core/spectral_glass_bsdf.h"
-
 namespace photopic {
 namespace {
 
@@ -22,7 +16,8 @@ PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& w
     : scene_(scene),
       sampler_(wavelengths),
       options_(options),
-      batch_(static_cast<std::size_t>(options.batch_size), scene) {
+      batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene),
+      shading_(scene) {
   if (!batch_.media.empty()) camera_media_ = media_at(scene, scene.scene.camera.position);
 }
 
@@ -37,12 +32,7 @@ void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
     sort_by_bsdf(depth);
     batch_.active.clear();
     batch_.shadowed.clear();
-    shade<DiffuseBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::diffuse)], depth);
-    shade<OpaqueBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::opaque)], depth);
-    shade<ConductorBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::conductor)], depth);
-    shade<LayeredBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::layered)], depth);
-    shade<GlassBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::glass)], depth);
-    shade<SpectralGlassBsdf<N>>(batch_.by_kind[static_cast<int>(BsdfKind::spectral_glass)], depth);
+    shading_.shade(batch_, depth);
     trace_shadow_rays();
     roulette(depth);
   }
@@ -54,8 +44,8 @@ void PathTracer<N>::start(std::span<const PathKey> paths) {
   batch_.active.clear();
   for (std::uint32_t slot = 0; slot < paths.size(); ++slot) {
     batch_.pixel[slot] = paths[slot].pixel;
-    batch_.stream[slot] =
-        SampleStream(options_.sequence, options_.seed, paths[slot].pixel, paths[slot].sample);
+    batch_.stream.set(slot,
+                      SampleStream(options_.sequence, options_.seed, paths[slot].pixel, paths[slot].sample));
     batch_.active.push_back(slot);
   }
   choose_wavelengths();
@@ -159,99 +149,6 @@ void PathTracer<N>::sort_by_bsdf(int depth) {
                  .choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
     batch_.by_kind[static_cast<std::size_t>(kind)].push_back(slot);
   }
-}
-
-template <int N>
-template <typename Bsdf>
-void PathTracer<N>::shade(std::span<const std::uint32_t> slots, int depth) {
-  for (const std::uint32_t slot : slots) {
-    const Vertex<N, Bsdf> vertex(scene_, batch_.hits[slot], -batch_.rays.direction[slot],
-                                 batch_.wavelengths[slot].lambda, batch_.throughput[slot],
-                                 batch_.outside_of(slot, scene_));
-    sample_light(slot, depth, vertex);
-    sample_direction(slot, depth, vertex);
-  }
-}
-
-/// Where lights differ in spectrum: what those of each may add to this path.
-template <int N>
-void PathTracer<N>::weigh_spectra(std::uint32_t slot) {
-  const std::span<float> spectra = batch_.spectra_of(slot);
-  if (spectra.empty()) return;
-  const SampledSpectrum<N> importance = batch_.throughput[slot] * batch_.wavelengths[slot].importance();
-  for (std::size_t k = 0; k < spectra.size(); ++k)
-    spectra[k] = (importance * batch_.emission_of(slot, static_cast<int>(k))).sum();
-  scene_.lights.spectrum_probabilities(spectra);
-}
-
-/// What varies over a lamp, at the point that was chosen.
-template <int N>
-SampledSpectrum<N> PathTracer<N>::lamp_tint(std::uint32_t slot, const LightSample& light) const {
-  const Surface& lamp = scene_.surfaces[light.material];
-  if (!lamp.emission_varies && !lamp.partly_covers) return SampledSpectrum<N>(1.0f);
-  const TrianglePoint point = triangle_point_at(scene_.scene.geometry, light.triangle, light.end);
-  return ShadingMaterial<N>(lamp, batch_.wavelengths[slot].lambda, point).emission_tint() *
-         lamp.coverage(point);
-}
-
-/// Next-event estimation: a direction to a light, weighted against finding it by the BSDF.
-template <int N>
-template <typename Bsdf>
-void PathTracer<N>::sample_light(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex) {
-  if (scene_.lights.empty()) return;
-  weigh_spectra(slot);
-  if (scene_.lights.uses_normals()) batch_.normal.set(slot, vertex.lit_side());
-  const SampleStream& stream = batch_.stream[slot];
-  const std::optional<LightSample> light =
-      scene_.lights.sample({vertex.point.position, vertex.lit_side()}, batch_.spectra_of(slot),
-                           stream.get_1d_fine(bounce_dimension(depth, kLightChoice)),
-                           stream.get_2d(bounce_dimension(depth, kLightPoint)));
-  if (!light) return;
-
-  // What would arrive?
-  const Vec3f wi = light->direction;
-  const BsdfValue<N> value = vertex.evaluate(wi);
-  if (value.pdf == 0.0f) return;
-  const float mis = light->delta ? 1.0f : power_heuristic(light->pdf, value.pdf);
-  SampledSpectrum<N> arriving = batch_.throughput[slot] * value.f_cos *
-                                batch_.emission_of(slot, light->spectrum) *
-                                (light->radiance * mis / light->pdf);
-  if (light->environment) {
-    const Vec3f rgb = scene_.scene.environment->radiance(wi);
-    arriving *= batch_.tints[slot](rgb.x, rgb.y, rgb.z);
-  }
-  if (light->material != kNoMaterial) arriving *= lamp_tint(slot, *light);
-  if (arriving.is_black()) return;
-  if (!batch_.media.empty())
-    attenuate(arriving, scene_, batch_.media[slot].on_side(vertex.is_inwards(wi)),
-              batch_.wavelengths[slot].lambda, light->distance);
-
-  const bool unbounded = std::isinf(light->distance);
-  const Vec3f origin = vertex.point.leave(wi);
-  batch_.shadow_rays.origin.set(slot, origin);
-  batch_.shadow_rays.direction.set(slot, unbounded ? wi : light->end - origin);
-  batch_.shadow_rays.t_max[slot] = unbounded ? light->distance : 1.0f;
-  batch_.shadow_radiance[slot] = arriving;
-  batch_.shadowed.push_back(slot);
-}
-
-/// Where the path goes on.
-template <int N>
-template <typename Bsdf>
-void PathTracer<N>::sample_direction(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex) {
-  const SampleStream& stream = batch_.stream[slot];
-  const auto sample = vertex.sample(stream.get_1d(bounce_dimension(depth, kBsdfLobe)),
-                                    stream.get_2d(bounce_dimension(depth, kBsdfDirection)));
-  if (!sample) return;
-  batch_.throughput[slot] *= sample->weight;
-  stats_.split_paths += sample->split;
-  if (batch_.throughput[slot].is_black()) return;
-  batch_.rays.origin.set(slot, vertex.point.leave(sample->wi));
-  batch_.rays.direction.set(slot, sample->wi);
-  batch_.bsdf_pdf[slot] = sample->delta ? 0.0f : sample->pdf;
-  batch_.eta_scale[slot] *= sqr(sample->eta);
-  if (!batch_.media.empty()) batch_.media[slot].go_on(scene_.surfaces, vertex.is_inwards(sample->wi));
-  batch_.active.push_back(slot);
 }
 
 template <int N>

@@ -4,7 +4,7 @@
 
 #include "integrator/integrator.h"
 #include "integrator/path_batch.h"
-#include "integrator/vertex.h"
+#include "integrator/shading_stage.h"
 
 namespace photopic {
 
@@ -17,7 +17,11 @@ class PathTracer {
   /// Traces the paths and adds them to the film in the order given. At most options.batch_size of them.
   void trace(std::span<const PathKey> paths, Film& film);
 
-  const RenderStats& stats() const { return stats_; }
+  RenderStats stats() const {
+    RenderStats s = stats_;
+    s.split_paths = shading_.split_paths();
+    return s;
+  }
 
  private:
   void start(std::span<const PathKey> paths);
@@ -29,14 +33,6 @@ class PathTracer {
   void travel(std::uint32_t slot);
   void pass_hidden_surfaces();
   void sort_by_bsdf(int depth);
-  template <typename Bsdf>
-  void shade(std::span<const std::uint32_t> slots, int depth);
-  void weigh_spectra(std::uint32_t slot);
-  SampledSpectrum<N> lamp_tint(std::uint32_t slot, const LightSample& light) const;
-  template <typename Bsdf>
-  void sample_light(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex);
-  template <typename Bsdf>
-  void sample_direction(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex);
   void trace_shadow_rays();
   void roulette(int depth);
   void finish(std::size_t count, Film& film);
@@ -45,6 +41,7 @@ class PathTracer {
   const WavelengthSampler& sampler_;
   const RenderOptions& options_;
   PathBatch<N> batch_;
+  ShadingStage<N> shading_;
   PathMedia camera_media_;  ///< around the camera
   RenderStats stats_;
 };

@@ -7,22 +7,43 @@
 
 namespace photopic {
 
+/// Applies the surface's normal map. @param wo in world space, as everywhere here
+inline Vec3f mapped_normal(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface,
+                           const SurfacePoint& point) {
+  const MaterialTextures& t = *surface.textures;
+  return mapped_normal(geometry, hit, point, wo, t.normal, t.normal_scale);
+}
+
+/// The normal of a hit's clearcoat, in its shading frame: the mesh's, or its own map's; that of the base is
+/// not the coat's (KHR_materials_clearcoat).
+inline Vec3f coat_normal(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface,
+                         const Frame& frame) {
+  const SurfacePoint point = surface_point(geometry, hit);
+  const MaterialTextures& t = *surface.textures;
+  const Vec3f n = t.clearcoat_normal
+                      ? mapped_normal(geometry, hit, point, wo, t.clearcoat_normal, t.clearcoat_normal_scale)
+                      : point.shading_normal;
+  return frame.to_local(dot(frame.n, point.geometric_normal) < 0.0f ? -n : n);
+}
+
 /// A hit with its normal map applied.
 inline SurfacePoint mapped_point(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface) {
   SurfacePoint point = surface_point(geometry, hit);
-  if (surface.maps_normals)
-    point.shading_normal =
-        mapped_normal(geometry, hit, point, wo, surface.textures->normal, surface.textures->normal_scale);
+  if (surface.maps_normals) point.shading_normal = mapped_normal(geometry, hit, wo, surface, point);
   return point;
 }
 
-/// The normal of a hit's clearcoat, on the triangle's front: the mesh's, or its own map's; that of the base
-/// is not the coat's (KHR_materials_clearcoat).
-inline Vec3f coat_normal(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface) {
-  const SurfacePoint point = surface_point(geometry, hit);
-  const MaterialTextures& textures = *surface.textures;
-  if (!textures.clearcoat_normal) return point.shading_normal;
-  return mapped_normal(geometry, hit, point, wo, textures.clearcoat_normal, textures.clearcoat_normal_scale);
+/// @param wo in the shading frame @param throughput of the path so far: a BSDF that must choose a wavelength
+/// goes by it @param find_coat_normal gives the clearcoat's, in the shading frame
+template <typename Bsdf, int N, typename CoatNormal>
+Bsdf make_bsdf(const ShadingMaterial<N>& material, Vec3f wo, SampledSpectrum<N> throughput,
+               const CoatNormal& find_coat_normal) {
+  if constexpr (std::is_constructible_v<Bsdf, ShadingMaterial<N>, Vec3f, SampledSpectrum<N>>)
+    return Bsdf(material, wo, throughput);
+  else if constexpr (requires { Bsdf::kHasCoat; })
+    return material.surface().coat_has_normals ? Bsdf(material, wo, find_coat_normal()) : Bsdf(material, wo);
+  else
+    return Bsdf(material, wo);
 }
 
 /// A vertex of a path: a hit with its frame and its BSDF at the path's wavelengths. Directions are in world
@@ -38,27 +59,15 @@ struct Vertex {
         point(mapped_point(scene.scene.geometry, hit, wo_world, surface)),
         frame(make_frame(scene.scene.geometry, hit, wo_world)),
         wo(frame.to_local(wo_world)),
-        bsdf(make_bsdf(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}, outside), throughput,
-                       [&] { return coat_normal(scene.scene.geometry, hit, wo_world, surface); })) {}
+        bsdf(make_bsdf<Bsdf>(
+            ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}, outside), wo, throughput,
+            [&] { return coat_normal(scene.scene.geometry, hit, wo_world, surface, frame); })) {}
 
   Frame make_frame(const Geometry& geometry, const Hit& hit, Vec3f wo_world) const {
     const Frame any = shading_frame(point, wo_world, Bsdf::kTwoSided);
     if constexpr (requires { Bsdf::kHasGrain; })
       if (surface.extensions->anisotropy > 0.0f) return grain_frame(geometry, hit, point, any);
     return any;
-  }
-
-  template <typename CoatNormal>
-  Bsdf make_bsdf(const ShadingMaterial<N>& shading, SampledSpectrum<N> throughput,
-                 const CoatNormal& find_coat_normal) const {
-    if constexpr (std::is_constructible_v<Bsdf, ShadingMaterial<N>, Vec3f, SampledSpectrum<N>>)
-      return Bsdf(shading, wo, throughput);
-    else if constexpr (requires { Bsdf::kHasCoat; }) {
-      if (!surface.coat_has_normals) return Bsdf(shading, wo);
-      const Vec3f n = find_coat_normal();
-      return Bsdf(shading, wo, frame.to_local(dot(frame.n, point.geometric_normal) < 0.0f ? -n : n));
-    } else
-      return Bsdf(shading, wo);
   }
 
   BsdfValue<N> evaluate(Vec3f wi) const {
@@ -81,9 +90,6 @@ struct Vertex {
   bool sides_agree(Vec3f wi, float cos_theta) const {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
   }
-
-  /// The side that light counts from, for choosing lights: the normal's, or (zero) both.
-  Vec3f lit_side() const { return Bsdf::kLitFromBehind ? Vec3f{} : frame.n; }
 
   /// Whether w points to the back.
   bool is_inwards(Vec3f w) const { return dot(w, point.geometric_normal) < 0.0f; }

@@ -159,6 +159,32 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
   return s;
 }
 
+void AreaLight::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& s) const {
+  const auto all = [](Vec3f v) { return Vec3Lanes{Lanes{} + v.x, Lanes{} + v.y, Lanes{} + v.z}; };
+  const Vec3Lanes n = all(normal), to_vertex = all(vertex) - from, to_middle = all(middle()) - from;
+  const Lanes h = dot(n, to_vertex);
+  s.reached = double_sided ? h != 0.0f : h < 0.0f;
+  const IntLanes near = s.reached & (dot(to_middle, to_middle) <= far2) & (h * h >= kTouching2 * far2);
+
+  // By area.
+  const Sample2dLanes b = parallelogram ? u : sample_triangle(u);
+  const Vec3Lanes to_point = to_vertex + all(edge1) * b.x + all(edge2) * b.y;
+  const Lanes distance2 = dot(to_point, to_point);
+  s.distance = sqrt(distance2);
+  s.direction = to_point / s.distance;
+  s.pdf = distance2 * s.distance / (abs(h) * area);
+  s.end = from + to_point + n * select(h < 0.0f, Lanes{} + error, Lanes{} - error);
+  s.radiance = Lanes{} + luminance;
+  s.spectrum = IntLanes{} + spectrum;
+  s.material = UintLanes{} + material;
+  s.triangle = UintLanes{} + triangle;
+  if (parallelogram) s.triangle += b.x > b.y ? UintLanes{} + 1u : UintLanes{};
+
+  // By solid angle, where the light looms large.
+  for (int i = 0; i < kLanes; ++i)
+    if (near[i]) s.set(i, sample(lane(from, i), lane(u, i)));
+}
+
 float AreaLight::pdf(Vec3f from, float distance) const {
   const float h = height(from);
   if (h == 0.0f) return 0.0f;

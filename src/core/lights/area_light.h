@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/lights/light.h"
+#include "core/lights/light_sample_lanes.h"
 #include "core/sampling.h"
 #include "core/scene.h"
 #include "core/surface.h"
@@ -35,6 +35,9 @@ struct AreaLight {
 
   /// Nothing where it cannot be seen from.
   std::optional<LightSample> sample(Vec3f from, Sample2d u) const;
+
+  /// The same from 16 points at once.
+  void sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const;
 
   /// The density of sample() [1/sr] in the direction of a point of it. @param distance to it [m]
   float pdf(Vec3f from, float distance) const;

@@ -91,6 +91,10 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
     make_group(groups_[k], members[k], power);
     for (const std::uint32_t i : members[k]) share_of_spectrum_[k] += static_cast<float>(power[i]);
   }
+  if (lit_spectra_ == 1) {
+    const auto& lights = groups_[static_cast<std::size_t>(only_spectrum_)].lights;
+    if (lights.size() == 1 && lights[0] < area_lights_.list().size()) only_area_light_ = lights[0];
+  }
 }
 
 bool LightSampler::is_unbounded(std::uint32_t light) const {

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "integrator/vertex_packet.h"
+
+namespace photopic {
+
+/// The stage between two flights: at each path's vertex it samples a light and the direction in which the
+/// path goes on. 16 paths with one kind of BSDF are taken at a time.
+template <int N>
+class ShadingStage {
+ public:
+  explicit ShadingStage(const PreparedScene& scene) : scene_(scene) {}
+
+  /// Takes the slots of batch.by_kind; leaves shadow rays in batch.shadowed, paths that go on in
+  /// batch.active.
+  void shade(PathBatch<N>& batch, int depth);
+
+  /// Paths that went on with one wavelength after dispersion, so far.
+  std::uint64_t split_paths() const { return split_paths_; }
+
+ private:
+  template <typename Bsdf>
+  void shade(PathBatch<N>& batch, BsdfKind kind, int depth);
+  void weigh_spectra(PathBatch<N>& batch, std::uint32_t slot) const;
+  SampledSpectrum<N> lamp_tint(const PathBatch<N>& batch, std::uint32_t slot, std::uint32_t material,
+                               std::uint32_t triangle, Vec3f position) const;
+  template <typename Bsdf>
+  LightSampleLanes choose_lights(PathBatch<N>& batch, const Packet& packet, int depth,
+                                 const VertexPacket<N, Bsdf>& vertices) const;
+  template <typename Bsdf>
+  void sample_lights(PathBatch<N>& batch, const Packet& packet, int depth,
+                     const VertexPacket<N, Bsdf>& vertices);
+  template <typename Bsdf>
+  void sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
+                         const VertexPacket<N, Bsdf>& vertices);
+
+  const PreparedScene& scene_;
+  std::uint64_t split_paths_ = 0;
+};
+
+}  // namespace photopic
