@@ -67,14 +67,16 @@ def rod(a, b, radius, sectors=12):
 
 
 def lathe(profile, sectors=64):
-    """The surface swept by a profile of (radius, height, normal's radius, normal's height) about the y axis; no caps."""
+    """The surface swept by a profile of (radius, height, normal's radius, normal's height) about the y axis; no caps.
+    Where the radius is 0 a profile begins or ends in a point."""
     positions, normals = [], []
     for radius, height, across, up in profile:
         for j in range(sectors):
             c, s = math.cos(2 * math.pi * j / sectors), math.sin(2 * math.pi * j / sectors)
             positions.append((radius * c, height, radius * s))
             normals.append((across * c, up, across * s))
-    return positions, orient_by_normals(positions, normals, grid_triangles(len(profile), sectors, wrap_rows=False)), normals
+    triangles = [t for t in grid_triangles(len(profile), sectors, wrap_rows=False) if len({positions[i] for i in t}) == 3]
+    return positions, orient_by_normals(positions, normals, triangles), normals
 
 
 def rounded_profile(corners, steps=8):
@@ -147,3 +149,21 @@ def orient_by_normals(positions, normals, triangles):
 
 def orient(normals, triangles):
     return orient_by_normals(normals, normals, triangles)
+
+
+def polygons(faces):
+    """Positions and triangles of flat convex polygons, each with corners of its own."""
+    positions, triangles = [], []
+    for face in faces:
+        first = len(positions)
+        positions += face
+        triangles += [(first, first + i, first + i + 1) for i in range(1, len(face) - 1)]
+    return positions, triangles
+
+
+def cuboid(low, high):
+    """The six faces of an axis-aligned box, seen from outside."""
+    (a, b, c), (d, e, f) = low, high
+    return [[(a, b, f), (d, b, f), (d, e, f), (a, e, f)], [(d, b, c), (a, b, c), (a, e, c), (d, e, c)],
+            [(d, b, f), (d, b, c), (d, e, c), (d, e, f)], [(a, b, c), (a, b, f), (a, e, f), (a, e, c)],
+            [(a, e, f), (d, e, f), (d, e, c), (a, e, c)], [(a, b, c), (d, b, c), (d, b, f), (a, b, f)]]

@@ -63,7 +63,7 @@ void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
   fmt::print("scene:    {} triangles, {} shapes, {} materials; lamps: {}\n", scene.geometry.triangles.size(),
              scene.geometry.shapes.size(), scene.materials.size(), fmt::join(scene.emission_names, ", "));
   fmt::print("samples:  {}, {:.4g} a pixel, of {} wavelengths each; {} not finite\n", run.stats.paths,
-             run.mean_spp, run.wavelengths, run.stats.non_finite);
+             run.mean_spp, run.wavelengths, format_non_finite(run.stats));
   if (run.stats.expected_delta_e)
     fmt::print("error:    a mean ΔE of {:.3g} is expected\n", *run.stats.expected_delta_e);
   if (run.stats.split_paths > 0)

@@ -131,7 +131,7 @@ class ShadingMaterial {
     return surface_.transmission * textured(&MaterialTextures::transmission, &Vec4f::x);
   }
   SampledSpectrum<N> reflectance(Vec3f rgb) const {
-    return sample_spectrum<N>(tabulated_reflectance(rgb.x, rgb.y, rgb.z), lambda_);
+    return tabulated_reflectance(rgb.x, rgb.y, rgb.z)(lambda_);
   }
 
   const Surface& surface_;

@@ -49,6 +49,7 @@ struct PathBatch {
         bsdf_pdf(capacity),
         eta_scale(capacity),
         media(has_media(scene) ? capacity : 0),
+        vertex(capacity),
         normal(scene.lights.uses_normals() ? capacity : 0),
         spectrum_choice(scene.lights.several_spectra() ? emission.size() : 0),
         tints(scene.scene.environment ? capacity : 0),
@@ -66,6 +67,12 @@ struct PathBatch {
     return emission[slot * emission_count_ + static_cast<std::size_t>(k)];
   }
 
+  std::size_t emission_count() const { return emission_count_; }
+  /// All of them.
+  std::span<SampledSpectrum<N>> emissions_of(std::uint32_t slot) {
+    return std::span(emission).subspan(slot * emission_count_, emission_count_);
+  }
+
   /// The probabilities of each spectrum's lights at the slot's last vertex; empty where there is one
   /// spectrum.
   std::span<float> spectra_of(std::uint32_t slot) {
@@ -80,7 +87,7 @@ struct PathBatch {
 
   /// The slot's last vertex as the lights see it.
   LightReference vertex_of(std::uint32_t slot) const {
-    return {rays.origin[slot], normal.x.empty() ? Vec3f{} : normal[slot]};
+    return {vertex[slot], normal.x.empty() ? Vec3f{} : normal[slot]};
   }
 
   // The path so far.
@@ -97,6 +104,7 @@ struct PathBatch {
   std::vector<float> eta_scale;  ///< η² of the interfaces crossed: what roulette must not mistake for loss
   std::vector<PathMedia> media;  ///< empty where the scene has none
 
+  Vec3Array vertex;                    ///< the last one's position; where rays start is a little off it
   Vec3Array normal;                    ///< of the last vertex, where lights are chosen by it
   std::vector<float> spectrum_choice;  ///< see spectra_of
   std::vector<SampledTints<N>> tints;  ///< for the environment's colours

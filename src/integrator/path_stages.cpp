@@ -12,10 +12,11 @@ constexpr int kRouletteDepth = 3;
 
 template <int N>
 PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths,
-                          const RenderOptions& options)
+                          const RenderOptions& options, const WavelengthTable& table)
     : scene_(scene),
       sampler_(wavelengths),
       options_(options),
+      table_(table),
       batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene),
       shading_(scene) {
   if (!batch_.media.empty()) camera_media_ = media_at(scene, scene.scene.camera.position);
@@ -23,20 +24,35 @@ PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& w
 
 template <int N>
 void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
+  StageClock clock(stats_.stages);
+  if (options_.time_stages) watch_ = &clock;
+  advance(paths);
+  finish(paths, film);
+  done(kStageFilm);
+  watch_ = nullptr;
+}
+
+template <int N>
+void PathTracer<N>::advance(std::span<const PathKey> paths) {
   start(paths);
+  done(kStageStart);
   for (int depth = 1; !batch_.active.empty(); ++depth) {
     intersect();
+    done(kStageIntersect);
     absorb_and_emit();
     if (!batch_.media.empty()) pass_hidden_surfaces();
+    done(kStageEmit);
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
+    done(kStageSort);
     batch_.active.clear();
     batch_.shadowed.clear();
-    shading_.shade(batch_, depth);
+    stats_.split_paths += shading_.shade(batch_, depth, watch_);
     trace_shadow_rays();
+    done(kStageShadow);
     roulette(depth);
+    done(kStageRoulette);
   }
-  finish(paths.size(), film);
 }
 
 template <int N>
@@ -57,15 +73,12 @@ void PathTracer<N>::start(std::span<const PathKey> paths) {
 /// neighbouring paths overlap.
 template <int N>
 void PathTracer<N>::choose_wavelengths() {
-  const Observer& observer = *options_.observer;
-  const auto& emissions = scene_.scene.emission_spectra;
   for (const std::uint32_t slot : batch_.active)
     batch_.sampled[slot] = sample_wavelengths<N>(sampler_, wavelength_u(batch_.stream[slot]));
   for (const std::uint32_t slot : batch_.active) {
-    const auto& wavelengths = batch_.sampled[slot];
-    batch_.wavelengths[slot] = PathWavelengths<N>(wavelengths, observer);
-    for (std::size_t k = 0; k < emissions.size(); ++k)
-      batch_.emission_of(slot, static_cast<int>(k)) = sample_emission<N>(emissions[k], wavelengths);
+    const auto& sampled = batch_.sampled[slot];
+    batch_.wavelengths[slot] =
+        PathWavelengths<N>(sampled, table_.look_up<N>(sampled.lambda, batch_.emissions_of(slot)));
     if (!batch_.tints.empty()) batch_.tints[slot] = SampledTints<N>(batch_.wavelengths[slot].lambda);
   }
 }
@@ -171,19 +184,6 @@ void PathTracer<N>::roulette(int depth) {
     batch_.throughput[slot] *= 1.0f / survival;
     return false;
   });
-}
-
-/// In the order of the slots: a pixel's sum has the same bits however its paths were batched.
-template <int N>
-void PathTracer<N>::finish(std::size_t count, Film& film) {
-  for (std::size_t slot = 0; slot < count; ++slot) {
-    if (!batch_.media.empty()) stats_.media_overflows += batch_.media[slot].overflowed();
-    const Xyz xyz = batch_.wavelengths[slot].to_xyz(batch_.radiance[slot]);
-    if (std::isfinite(xyz.x + xyz.y + xyz.z))
-      film.add(batch_.pixel[slot], xyz);
-    else
-      ++stats_.non_finite;
-  }
 }
 
 template class PathTracer<1>;

@@ -7,43 +7,46 @@
 
 namespace photopic {
 
-/// Applies the surface's normal map. @param wo in world space, as everywhere here
-inline Vec3f mapped_normal(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface,
-                           const SurfacePoint& point) {
-  const MaterialTextures& t = *surface.textures;
-  return mapped_normal(geometry, hit, point, wo, t.normal, t.normal_scale);
-}
-
-/// The normal of a hit's clearcoat, in its shading frame: the mesh's, or its own map's; that of the base is
-/// not the coat's (KHR_materials_clearcoat).
-inline Vec3f coat_normal(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface,
-                         const Frame& frame) {
-  const SurfacePoint point = surface_point(geometry, hit);
-  const MaterialTextures& t = *surface.textures;
-  const Vec3f n = t.clearcoat_normal
-                      ? mapped_normal(geometry, hit, point, wo, t.clearcoat_normal, t.clearcoat_normal_scale)
-                      : point.shading_normal;
-  return frame.to_local(dot(frame.n, point.geometric_normal) < 0.0f ? -n : n);
+inline Vec3f mapped_normal(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, Vec3f wo,
+                           const Surface& surface) {
+  return mapped_normal(geometry, hit, point, wo, surface.textures->normal, surface.textures->normal_scale);
 }
 
 /// A hit with its normal map applied.
 inline SurfacePoint mapped_point(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface) {
   SurfacePoint point = surface_point(geometry, hit);
-  if (surface.maps_normals) point.shading_normal = mapped_normal(geometry, hit, wo, surface, point);
+  if (surface.maps_normals) point.shading_normal = mapped_normal(geometry, hit, point, wo, surface);
   return point;
 }
 
+/// The normal of a hit's clearcoat, on the triangle's front: the mesh's, or its own map's; that of the base
+/// is not the coat's (KHR_materials_clearcoat).
+inline Vec3f coat_normal(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface) {
+  const SurfacePoint point = surface_point(geometry, hit);
+  const MaterialTextures& textures = *surface.textures;
+  if (!textures.clearcoat_normal) return point.shading_normal;
+  return mapped_normal(geometry, hit, point, wo, textures.clearcoat_normal, textures.clearcoat_normal_scale);
+}
+
+/// The same in the shading frame.
+inline Vec3f coat_normal(const Geometry& geometry, const Hit& hit, Vec3f wo, const Surface& surface,
+                         const Frame& frame, Vec3f geometric_normal) {
+  const Vec3f n = coat_normal(geometry, hit, wo, surface);
+  return frame.to_local(dot(frame.n, geometric_normal) < 0.0f ? -n : n);
+}
+
 /// @param wo in the shading frame @param throughput of the path so far: a BSDF that must choose a wavelength
-/// goes by it @param find_coat_normal gives the clearcoat's, in the shading frame
+/// goes by it @param coat_normal finds that of a coat, in the shading frame; asked where it has its own
 template <typename Bsdf, int N, typename CoatNormal>
 Bsdf make_bsdf(const ShadingMaterial<N>& material, Vec3f wo, SampledSpectrum<N> throughput,
-               const CoatNormal& find_coat_normal) {
-  if constexpr (std::is_constructible_v<Bsdf, ShadingMaterial<N>, Vec3f, SampledSpectrum<N>>)
+               const CoatNormal& coat_normal) {
+  if constexpr (std::is_constructible_v<Bsdf, ShadingMaterial<N>, Vec3f, SampledSpectrum<N>>) {
     return Bsdf(material, wo, throughput);
-  else if constexpr (requires { Bsdf::kHasCoat; })
-    return material.surface().coat_has_normals ? Bsdf(material, wo, find_coat_normal()) : Bsdf(material, wo);
-  else
+  } else {
+    if constexpr (requires { Bsdf::kHasCoat; })
+      if (material.surface().coat_has_normals) return Bsdf(material, wo, coat_normal());
     return Bsdf(material, wo);
+  }
 }
 
 /// A vertex of a path: a hit with its frame and its BSDF at the path's wavelengths. Directions are in world
@@ -60,8 +63,9 @@ struct Vertex {
         frame(make_frame(scene.scene.geometry, hit, wo_world)),
         wo(frame.to_local(wo_world)),
         bsdf(make_bsdf<Bsdf>(
-            ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}, outside), wo, throughput,
-            [&] { return coat_normal(scene.scene.geometry, hit, wo_world, surface, frame); })) {}
+            ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}, outside), wo, throughput, [&] {
+              return coat_normal(scene.scene.geometry, hit, wo_world, surface, frame, point.geometric_normal);
+            })) {}
 
   Frame make_frame(const Geometry& geometry, const Hit& hit, Vec3f wo_world) const {
     const Frame any = shading_frame(point, wo_world, Bsdf::kTwoSided);

@@ -19,7 +19,7 @@ struct VertexPacket {
       material[static_cast<std::size_t>(i)] = m;
       if (scene.surfaces[m].maps_normals)
         set_lane(point.shading_normal, i,
-                 mapped_normal(geometry, hit, lane(wo_world, i), scene.surfaces[m], lane(point, i)));
+                 mapped_normal(geometry, hit, lane(point, i), lane(wo_world, i), scene.surfaces[m]));
     }
     frame = shading_frame(point, wo_world, Bsdf::kTwoSided);
     if constexpr (requires { Bsdf::kHasGrain; }) {
@@ -34,8 +34,8 @@ struct VertexPacket {
                                       {geometry, batch.hits[slot]}, batch.outside_of(slot, scene));
       bsdf[static_cast<std::size_t>(i)].emplace(
           make_bsdf<Bsdf>(at_hit, lane(wo, i), batch.throughput[slot], [&] {
-            return coat_normal(geometry, batch.hits[slot], lane(wo_world, i), at_hit.surface(),
-                               lane(frame, i));
+            return coat_normal(geometry, batch.hits[slot], lane(wo_world, i), surface(scene, i),
+                               lane(frame, i), lane(point.geometric_normal, i));
           }));
     }
   }
@@ -67,8 +67,8 @@ struct VertexPacket {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
   }
 
-  /// Whether w, from vertex i, points to the back.
-  bool is_inwards(int i, Vec3f w) const { return dot(w, lane(point.geometric_normal, i)) < 0.0f; }
+  /// Which w point to the back.
+  IntLanes is_inwards(Vec3Lanes w) const { return dot(w, point.geometric_normal) < 0.0f; }
 
   SurfacePointLanes point;
   FrameLanes frame;

@@ -40,7 +40,10 @@ class LightSampler {
   /// The same from 16 points at once, where one lamp is all there is. @return whether that is so
   bool sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const {
     if (!only_area_light_) return false;
-    area_lights_.list()[*only_area_light_].sample(from, u, samples);
+    const AreaLight& light = area_lights_.list()[*only_area_light_];
+    light.sample(from, u, samples);
+    samples.radiance = Lanes{} + area_lights_.emission(light).luminance;
+    samples.spectrum = IntLanes{} + area_lights_.emission(light).spectrum;
     return true;
   }
 
@@ -61,7 +64,6 @@ class LightSampler {
     AliasTable table;
     std::vector<std::uint32_t> lights;  ///< of each entry of the table; kNoLight: the tree
     LightTree tree;
-    std::vector<std::uint32_t> tree_lights;
   };
   /// Where a light stands in its group.
   struct Place {
