@@ -96,7 +96,9 @@ class SpectralGlassBsdf {
     if (film_ > 0.0f) f += film_ * (filmed(cos_i, j) - f);
     return specular_of(j).scaled(f, cos_i, eta_[j]);
   }
-  SpecularScale specular_of(int j) const { return {specular_ * specular_color_[j], specular_}; }
+  SpecularScale specular_of(int j) const {
+    return {specular_ * std::min(specular_color_[j], 1.0f), specular_};
+  }
   float filmed(float cos_i, int j) const {
     const bool inside = solid_ && side_ < 0.0f;
     const float from = inside ? ior_[j] : outside_[j], to = inside ? outside_[j] : ior_[j];
