@@ -57,16 +57,15 @@ void store(T* to, Vector values) {
   std::memcpy(to, &values, sizeof(values));
 }
 
-/// Of the slots' rays those are valid that are finite.
+/// Of the slots' rays those are valid that Embree takes.
 void load(const RayArray& rays, const Packet& slots, RTCRay16& packet, std::array<int, kPacket>& valid) {
   const Vec3Lanes o = rays.origin.gather(slots), d = rays.direction.gather(slots);
   store(packet.org_x, o.x), store(packet.org_y, o.y), store(packet.org_z, o.z);
   store(packet.dir_x, d.x), store(packet.dir_y, d.y), store(packet.dir_z, d.z);
   store(packet.tnear, Lanes{}), store(packet.time, Lanes{});
   store(packet.mask, ~UintLanes{}), store(packet.flags, UintLanes{});
-  const Lanes sum = o.x + o.y + o.z + d.x + d.y + d.z;
   constexpr IntLanes kLane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-  store(valid.data(), (sum - sum == 0.0f) & (kLane < slots.count));
+  store(valid.data(), is_traceable(RayLanes{o, d}) & (kLane < slots.count));
 }
 
 /// What lets rays through a shape that covers in part.
@@ -239,14 +238,14 @@ Hit Accel::make_hit(std::uint32_t geometry, std::uint32_t primitive, std::uint32
 }
 
 Hit Accel::intersect(const Ray& ray) const {
-  if (!is_finite(ray)) return {};
+  if (!is_traceable(ray)) return {};
   const auto [found, hit] =
       handles_->intersect(make_ray(ray.origin, ray.direction, std::numeric_limits<float>::infinity()));
   return make_hit(hit.geomID, hit.primID, hit.instID[0], hit.u, hit.v, found.tfar);
 }
 
 bool Accel::occluded(const Ray& ray, float t_max) const {
-  if (!is_finite(ray)) return false;
+  if (!is_traceable(ray)) return false;
   return handles_->occluded(make_ray(ray.origin, ray.direction, t_max));
 }
 

@@ -58,7 +58,7 @@ class Accel {
   Accel(Accel&&) noexcept;
   Accel& operator=(Accel&&) noexcept;
 
-  /// The nearest hit with 0 < t of the rays in the given slots. What is not finite hits nothing, here and
+  /// The nearest hit with 0 < t of the rays in the given slots. What is not traceable hits nothing, here and
   /// below.
   void intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits) const;
 

@@ -14,10 +14,16 @@ struct BasicRay {
 using Ray = BasicRay<float>;
 using RayLanes = BasicRay<Lanes>;
 
-/// Embree takes no others.
-inline bool is_finite(const Ray& ray) {
-  return std::isfinite(ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y +
-                       ray.direction.z);
+/// How far coordinates of rays may go [m]: Embree takes 1.8e18, of instances in the space of their prototype.
+inline constexpr float kFarthest = 3e13f;
+
+/// Whether a ray can be traced: it is finite and not too far away.
+template <typename T>
+auto is_traceable(const BasicRay<T>& ray) {
+  const auto near = [](const Vec3<T>& a) {
+    return (abs(a.x) < kFarthest) & (abs(a.y) < kFarthest) & (abs(a.z) < kFarthest);
+  };
+  return near(ray.origin) & near(ray.direction);
 }
 
 /// glTF's cameras: look down −z, +y up, square pixels; perspective or orthographic, with a pinhole or a thin

@@ -98,7 +98,7 @@ struct Prototype {
 
 /// A prototype somewhere in the world.
 struct Instance {
-  Affinef to_world;  ///< relative to Scene::origin; invertible, scales by 1e-6 … 1e6
+  Affinef to_world;  ///< relative to Scene::origin; invertible, scales by 1e-4 … 1e6
   std::uint32_t prototype = 0;
   float error = 0;  ///< bound on what rounding does to a point of it and to a ray that meets it [m]
 };

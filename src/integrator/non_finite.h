@@ -11,7 +11,7 @@ namespace photopic {
 /// What on the path of a sample was first not finite.
 enum class NonFiniteCause : std::uint8_t {
   wavelengths,   ///< the wavelengths drawn, their weights, or an emission spectrum there
-  camera,        ///< the ray that leaves the camera
+  camera,        ///< the ray that leaves the camera (or it stands too far away)
   absorption,    ///< throughput, on the way to a hit
   emission,      ///< light from a lamp or an environment that the path met
   light_sample,  ///< light from a lamp that was sampled

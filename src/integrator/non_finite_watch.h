@@ -32,7 +32,7 @@ class NonFiniteWatch : public StageWatch {
   void after_start() {
     note([&](std::uint32_t slot) -> std::optional<NonFiniteCause> {
       if (!wavelengths_are_finite(slot)) return NonFiniteCause::wavelengths;
-      if (!ray_is_finite(slot)) return NonFiniteCause::camera;
+      if (!ray_is_traceable(slot)) return NonFiniteCause::camera;
       return {};
     });
   }
@@ -46,7 +46,7 @@ class NonFiniteWatch : public StageWatch {
   void after_scattering() {
     note([&](std::uint32_t slot) -> std::optional<NonFiniteCause> {
       if (!is_finite(batch_.radiance[slot])) return NonFiniteCause::light_sample;
-      if (!is_finite(batch_.throughput[slot]) || !ray_is_finite(slot)) return NonFiniteCause::scattering;
+      if (!is_finite(batch_.throughput[slot]) || !ray_is_traceable(slot)) return NonFiniteCause::scattering;
       return {};
     });
   }
@@ -62,8 +62,8 @@ class NonFiniteWatch : public StageWatch {
       if (!std::isfinite(s.v[j])) return false;
     return true;
   }
-  bool ray_is_finite(std::uint32_t slot) const {
-    return photopic::is_finite(Ray{batch_.rays.origin[slot], batch_.rays.direction[slot]});
+  bool ray_is_traceable(std::uint32_t slot) const {
+    return is_traceable(Ray{batch_.rays.origin[slot], batch_.rays.direction[slot]});
   }
   bool wavelengths_are_finite(std::uint32_t slot) const {
     const PathWavelengths<N>& w = batch_.wavelengths[slot];

@@ -4,10 +4,10 @@
 
 namespace photopic {
 
-/// A path whose last ray was not finite is lost, whatever it had gathered.
+/// A path whose last ray could not be traced is lost, whatever it had gathered.
 template <int N>
 bool PathTracer<N>::is_lost(std::size_t slot) const {
-  return !is_finite(Ray{batch_.rays.origin[slot], batch_.rays.direction[slot]});
+  return !is_traceable(Ray{batch_.rays.origin[slot], batch_.rays.direction[slot]});
 }
 
 /// In the order of the slots: a pixel's sum has the same bits however its paths were batched.

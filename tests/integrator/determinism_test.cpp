@@ -132,6 +132,7 @@ TEST(Render, NonFiniteSamplesHaveACause) {
       {[](Scene& s) { s.materials[2].emission_luminance = kInfinity; }, NonFiniteCause::emission},
       {[](Scene& s) { s.materials[1].base_color = ConstantSpectrum{kInfinity}; }, NonFiniteCause::scattering},
       {[](Scene& s) { s.camera.position.x = NAN; }, NonFiniteCause::camera},
+      {[](Scene& s) { s.camera.position.x = 1e30f; }, NonFiniteCause::camera},
       {[](Scene& s) { s.emission_spectra[0] = s.emission_spectra[0].scaled(1e200); },
        NonFiniteCause::wavelengths},
   };

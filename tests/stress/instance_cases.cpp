@@ -46,6 +46,16 @@ Scene white_instance(double size, Vec3d at, Vec3d stretch) {
   return with_instances(b.build(), {placement(stretch * (1 / size), {1, -2, 0.5}, 1.1, at)});
 }
 
+/// A small thing of a small scale in a scene as large as scenes may be: in the prototype's space the walls
+/// lie 1e17 m away, near the end of what Embree takes.
+Scene vast_instance() {
+  SceneBuilder b;
+  b.box({-1e13, -1e13, -1e13}, {1e13, 1e13, 1e13}, b.lamp(ConstantSpectrum{1.0}, 3.0), true);
+  b.sphere({}, 1e4, 3, b.material(diffuse(ConstantSpectrum{1.0})), false);
+  b.camera({2.5, 0.3, 0.5}, {}, 22, 8, 8);
+  return with_instances(b.build(), {placement(Vec3d{1, 1, 1} * 1e-4, {1, -2, 0.5}, 1.1, {})});
+}
+
 Scene dark_instance(Vec3d at, Vec3d stretch) {
   SceneBuilder b;
   b.box({-3000, -3000, -3000}, {3000, 3000, 3000}, b.lamp(d65(), 1e6), true);
@@ -70,6 +80,9 @@ void add_instance_cases(StressList& list) {
                                   ", y stretched",
                               stretch.y),
                   [=] { return white_instance(size, at, stretch); }, Luminance{3.0, 2e-6}, 100, 3});
+
+  list.add({"instances", "white ball, prototype of 10000 m, in a box of 2e13 m", vast_instance,
+            Luminance{3.0, 1e-5}, 100, 3});
 
   for (const Vec3d& at : {Vec3d{}, Vec3d{500, -700, 200}})
     for (const Vec3d& stretch : {Vec3d{1, 1, 1}, Vec3d{-2, 0.7, 1.5}})

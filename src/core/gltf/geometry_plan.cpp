@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxVertices = 100'000'000, kMaxTriangles = 100'000'000;  // some 4 GB, instances baked
 constexpr std::size_t kMinSaved = 100'000, kMinShared = 8;                      // triangles
-constexpr double kMinScale = 1e-6, kMaxScale = 1e6, kMaxGain = 100.0;
+constexpr double kMinScale = 1e-4, kMaxScale = 1e6, kMaxGain = 100.0;
 
 /// What can be drawn of a mesh, found once.
 struct MeshParts {
