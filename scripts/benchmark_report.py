@@ -105,22 +105,24 @@ class Panel:
 
 
 def curves_svg(rows):
-    """A column a scene: mean ΔE over samples, and relMSE over CPU-seconds; four wavelengths a path."""
+    """A column a scene, four beside each other: mean ΔE over samples, and relMSE over CPU-seconds; four wavelengths
+    a path."""
     scenes = list(dict.fromkeys(row["scene"] for row in rows))
     four = [row for row in rows if row["wavelengths"] == 4 and row["relmse"] > 0 and row["mean_delta_e"] > 0]
-    width, height = 60 + 250 * len(scenes), 470
+    width, height = 1060, 40 + 430 * ((len(scenes) + 3) // 4)
     body = []
     for column, scene in enumerate(scenes):
         for line, (x, y) in enumerate((("spp", "mean_delta_e"), ("cpu_seconds", "relmse"))):
             own = [row for row in four if row["scene"] == scene]
             title = (f"{scene}: mean ΔE over samples", "relMSE over CPU-seconds")[line]
-            panel = Panel(50 + 250 * column, 40 + 210 * line, title, [(row[x], row[y]) for row in own])
+            left, top = 50 + 250 * (column % 4), 40 + 430 * (column // 4) + 210 * line
+            panel = Panel(left, top, title, [(row[x], row[y]) for row in own])
             for sampler, color in COLORS.items():
                 panel.curve([(row[x], row[y]) for row in own if row["sampler"] == sampler], color)
             body += panel.body
     for i, (sampler, color) in enumerate(COLORS.items()):
-        body.append(f'<path d="M{50 + 130 * i} 450h24" stroke="{color}" stroke-width="2"/>')
-        body.append(f'<text x="{80 + 130 * i}" y="454">{sampler}</text>')
+        body.append(f'<path d="M{50 + 130 * i} {height - 16}h24" stroke="{color}" stroke-width="2"/>')
+        body.append(f'<text x="{80 + 130 * i}" y="{height - 12}">{sampler}</text>')
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" '
         f'font-size="11" fill="#333"><rect width="100%" height="100%" fill="#fff"/>' + "\n".join(body) + "</svg>\n"
