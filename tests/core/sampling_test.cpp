@@ -146,5 +146,17 @@ TEST(Fresnel, KnownValues) {
   EXPECT_NEAR(fresnel_dielectric(cos_i, n), fresnel_dielectric(cos_t, 1 / n), 1e-6f);
 }
 
+TEST(Sampling, AngleAbove) {
+  for (int i = 0; i <= 2000; ++i)
+    for (double radius : {1e-12, 1.0, 1e12}) {
+      const double angle = std::numbers::pi * std::pow(i / 2000.0, 3.0);  // small ones too
+      const auto y = static_cast<float>(radius * std::sin(angle));
+      const auto x = static_cast<float>(radius * std::cos(angle));
+      const double exact = std::atan2(double{y}, double{x});
+      EXPECT_NEAR(angle_above(y, x), exact, 3e-7 * exact) << angle;
+    }
+  EXPECT_EQ(angle_above(0.0f, 0.0f), 0.0f);
+}
+
 }  // namespace
 }  // namespace photopic

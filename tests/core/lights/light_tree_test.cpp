@@ -112,6 +112,45 @@ TEST(LightTree, ManyLightsAtOnePlace) {
   EXPECT_NEAR(tree.probability({{0, 0, 0}, {}}, 77), 1e-3f, 1e-6f);  // even from inside
 }
 
+/// Powers and sizes from the least to the largest: no probability is lost to overflow.
+TEST(LightTree, ExtremePowersAndSizes) {
+  for (float scale : {1e-4f, 1.0f, 1e6f})
+    for (float power : {1e-30f, 1.0f, 1e36f}) {
+      std::vector<LightBounds> lights = strewn(100);
+      for (LightBounds& b : lights) {
+        b.low = b.low * scale, b.high = b.high * scale;
+        b.power *= power;
+      }
+      const LightTree tree(lights);
+      for (std::uint32_t k = 0; k < 20; ++k) {
+        double total = 0.0;
+        for (std::uint32_t i = 0; i < 100; ++i) total += tree.probability({lights[k].low, {}}, i);
+        EXPECT_TRUE(total > 0.3 && total < 1.0 + 1e-4) << scale << " " << power << " " << total;
+        const auto choice = tree.choose({lights[k].low, {}}, random(7, k));
+        if (choice.light == kNoLight) continue;
+        EXPECT_LT(choice.light, 100u);
+        EXPECT_GT(choice.probability, 0.0f);
+        EXPECT_LE(choice.probability, 1.0f);
+      }
+    }
+}
+
+/// Numbers at the ends of [0, 1) choose lights that shine.
+TEST(LightTree, EndsOfTheUnitInterval) {
+  std::vector<LightBounds> lights;
+  for (int i = 0; i < 40; ++i) {
+    const Vec3f p{static_cast<float>(i), 0, 2};
+    lights.push_back({.low = p, .high = p, .axis = {0, 0, i > 4 && i < 35 ? -1.0f : 1.0f}, .power = 1.0f});
+  }
+  const LightTree tree(lights);
+  for (double u : {0.0, 0x1p-33, 0.5, 1.0 - 0x1p-33, 1.0 - 0x1p-53}) {
+    const auto choice = tree.choose({{20, 0, 0}, {0, 0, 1}}, u);
+    ASSERT_NE(choice.light, kNoLight) << u;
+    EXPECT_TRUE(choice.light > 4 && choice.light < 35) << u;
+    EXPECT_GT(choice.probability, 0.0f) << u;
+  }
+}
+
 /// The union of two cones holds both.
 TEST(LightTree, UnionsHoldBoth) {
   for (std::uint32_t k = 0; k < 500; ++k) {
