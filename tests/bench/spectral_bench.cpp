@@ -8,6 +8,7 @@
 #include "spectral/illuminants.h"
 #include "spectral/rgb_upsampling.h"
 #include "spectral/wavelength_sampler.h"
+#include "spectral/wavelength_table.h"
 
 namespace photopic {
 namespace {
@@ -56,6 +57,25 @@ bool add_draws() {
   return true;
 }
 const bool added = add_draws<1>() && add_draws<4>() && add_draws<8>() && add_draws<16>();
+
+/// The observer and a lamp at the wavelengths of a path, wavelengths drawn uniformly.
+template <int N>
+void look_up_path(benchmark::State& state) {
+  const std::vector<TabulatedSpectrum> lamps{fluorescent_lamp()};
+  const WavelengthTable table(Observer::cie1931(), lamps);
+  std::array<SampledSpectrum<N>, 1> emission;
+  double u = 0.5;
+  for (auto _ : state) {
+    u = u + 0.618033988749895;
+    u -= std::floor(u);
+    const auto w = sample_wavelengths<N>(UniformWavelengths{N}, u);
+    auto observer = table.look_up<N>(w.lambda, emission);
+    benchmark::DoNotOptimize(observer);
+    benchmark::DoNotOptimize(emission);
+  }
+}
+BENCHMARK_TEMPLATE(look_up_path, 4);
+BENCHMARK_TEMPLATE(look_up_path, 8);
 
 void upsample(benchmark::State& state) {
   Rgb rgb{0.2, 0.5, 0.7};

@@ -83,6 +83,32 @@ TEST(RgbUpsampling, OutOfRangeIsClamped) {
 TEST(RgbUpsampling, InfiniteCoefficientsAreBlackOrWhite) {
   EXPECT_EQ((SigmoidPolynomial{0, 0, INFINITY}(500.0)), 1.0);
   EXPECT_EQ((SigmoidPolynomial{0, 0, -INFINITY}(500.0)), 0.0);
+  EXPECT_EQ((SigmoidPolynomial{0, 0, 1e30f}(500.0f)), 1.0f) << "whose square is infinite";
+  EXPECT_EQ((SigmoidPolynomial{0, 0, -1e30f}(500.0f)), 0.0f);
+  EXPECT_TRUE(std::isnan(SigmoidPolynomial{0, 0, NAN}(500.0f)));
+}
+
+template <int N>
+void expect_side_by_side_as_alone(const SigmoidPolynomial& reflectance) {
+  SampledSpectrum<N> lambda;
+  for (int j = 0; j < N; ++j) lambda.set(j, 360.0f + 470.0f * static_cast<float>(j) / N);
+  const SampledSpectrum<N> values = reflectance(lambda);
+  for (int j = 0; j < N; ++j)
+    EXPECT_TRUE(std::abs(values[j] - reflectance(lambda[j])) < 1e-6f ||
+                (std::isnan(values[j]) && std::isnan(reflectance(lambda[j]))))
+        << lambda[j];
+}
+
+TEST(RgbUpsampling, SideBySideAsAlone) {
+  for (const SigmoidPolynomial& reflectance :
+       {upsample_reflectance({0.2, 0.5, 0.7}), upsample_reflectance({1, 0, 0}),
+        upsample_reflectance({0, 0, 0}), SigmoidPolynomial{0, 0, 1e30f}, SigmoidPolynomial{0, 0, -INFINITY},
+        SigmoidPolynomial{0, NAN, 0}}) {
+    expect_side_by_side_as_alone<1>(reflectance);
+    expect_side_by_side_as_alone<4>(reflectance);
+    expect_side_by_side_as_alone<8>(reflectance);
+    expect_side_by_side_as_alone<16>(reflectance);
+  }
 }
 
 }  // namespace
