@@ -9,7 +9,7 @@ namespace {
 /// Roulette spares the first bounces, which carry most of the light, and after them paths whose throughput is
 /// one over kSpared or more: docs/benchmarks.md has the figures.
 constexpr int kRouletteDepth = 3;
-constexpr float kSpared = 2.0f;
+constexpr float kSpared = 1.5f;
 
 }  // namespace
 
@@ -185,7 +185,7 @@ void PathTracer<N>::trace_shadow_rays() {
     if (!batch_.blocked[slot]) batch_.radiance[slot] += batch_.shadow_radiance[slot];
 }
 
-/// Ends paths with the probability 1 − 2 max β: the brightest wavelength decides, so none is thrown away that
+/// Ends paths with the probability 1 − 1.5 max β: the brightest wavelength decides, so none is thrown away that
 /// counts.
 template <int N>
 void PathTracer<N>::roulette(int depth) {

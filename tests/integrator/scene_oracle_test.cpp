@@ -29,6 +29,7 @@ SceneCase usual(const std::string& folder) {
 const std::vector<SceneCase>& special_cases() {
   static const std::vector<SceneCase> cases = {
       {"scenes/cornell-box", 3000, 6000},
+      {"scenes/diamond", 3000, 6000},
       {"scenes/veach-mis", 2000, 6000, {"lamp cie:FL11", "lamp cie:FL12"}},
       {"shared/cornell-box", 3000, 6000},
       {"shared/veach-mis", 2000, 6000, {"emitter_2"}},
