@@ -35,7 +35,7 @@ void add_scale_cases(StressList& list) {
   // As the loader keeps it: coordinates relative to the scene's middle.
   for (const Vec3d& far : {Vec3d{1e5, -1e5, 1e5}, Vec3d{1e5, 0, 0}, Vec3d{-7e4, 3e4, 6.5e4}})
     for (const double scale : list.steps({1}, {1e-4, 1e-2, 1, 1e2, 1e4}))
-      add(with_number(with_number("1e5 m away at x", far.x) + ", times", scale),
+      add(with_number(with_number("1e5 m away at y", far.y) + ", times", scale),
           [=] { return mixed_room().place(scale, far).build(far); });
 
   // Without that single precision has to do: a kilometre away a unit in the last place is 0.06 mm.
