@@ -61,6 +61,7 @@ GltfOptions gltf_options(const SceneArguments& arguments) {
   for (const std::string& text : arguments.emitters) options.emitters.push_back(parse_emitter(text));
   options.camera = arguments.camera;
   options.punctual_scale = arguments.punctual_scale;
+  options.solid_glass = arguments.solid_glass;
   options.environment = {arguments.environment, arguments.environment_rotation,
                          arguments.environment_strength};
   if (!arguments.resolution.empty()) parse_resolution(arguments.resolution, options);

@@ -25,6 +25,20 @@ SinCos<T> sin_cos_two_pi(T u) {
   return {select((q & 2) != 0, -sin, sin), select(((q + 1) & 2) != 0, -cos, cos)};
 }
 
+/// The angle of a vector with y ≥ 0 to the x axis, 0 … π, to 3e-7 of itself; 0 of the zero vector. Abramowitz
+/// & Stegun 1964, equation 4.4.49.
+inline float angle_above(float y, float x) {
+  const float long_side = std::max(y, std::abs(x)), short_side = std::min(y, std::abs(x));
+  const float t = long_side > 0.0f ? short_side / long_side : 0.0f, t2 = t * t;
+  constexpr float kTerms[] = {-0.3333314528f, 0.1999355085f, -0.1420889944f, 0.1065626393f,
+                              -0.0752896400f, 0.0429096138f, -0.0161657367f, 0.0028662257f};
+  float sum = kTerms[7];
+  for (int i = 6; i >= 0; --i) sum = sum * t2 + kTerms[i];
+  const float octant = t + t * (t2 * sum);
+  const float quarter = y > std::abs(x) ? 0.5f * kPi - octant : octant;
+  return x < 0.0f ? kPi - quarter : quarter;
+}
+
 /// The unit disk, squares becoming wedges: Shirley & Chiu 1997, "A Low Distortion Map Between Disk and
 /// Square". Density 1/π.
 inline Sample2d sample_disk(Sample2d u) {
@@ -44,8 +58,9 @@ Vec3<T> sample_cosine_hemisphere(BasicSample2d<T> u) {
   return {r * phi.cos, r * phi.sin, sqrt(1.0f - u.x)};
 }
 /// [1/sr]
-inline float cosine_hemisphere_pdf(float cos_theta) {
-  return std::max(0.0f, cos_theta) * kInvPi;
+template <typename T>
+T cosine_hemisphere_pdf(T cos_theta) {
+  return max(T{}, cos_theta) * kInvPi;
 }
 
 /// Barycentric coordinates (of the second and third vertex) of a uniform point of a triangle; density 1/area.

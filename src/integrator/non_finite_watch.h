@@ -5,16 +5,30 @@
 
 #include "integrator/non_finite.h"
 #include "integrator/path_batch.h"
+#include "integrator/stage_watch.h"
 
 namespace photopic {
 
 /// Looks at paths that are traced once more, after each stage: where does each cease to be finite?
 template <int N>
-class NonFiniteWatch {
+class NonFiniteWatch : public StageWatch {
  public:
   /// @param count of paths, in the first slots of the batch
   NonFiniteWatch(const PathBatch<N>& batch, std::size_t count) : batch_(batch), cause_(count) {}
 
+  void after(Stage stage) override {
+    if (stage == kStageStart) after_start();
+    if (stage == kStageEmit) after_emission();
+    if (stage == kStageShadow) after_scattering();
+  }
+
+  NonFiniteCounts counts() const {
+    NonFiniteCounts counts;
+    for (const auto& cause : cause_) counts.add(cause.value_or(NonFiniteCause::sum));
+    return counts;
+  }
+
+ private:
   void after_start() {
     note([&](std::uint32_t slot) -> std::optional<NonFiniteCause> {
       if (!wavelengths_are_finite(slot)) return NonFiniteCause::wavelengths;
@@ -37,13 +51,6 @@ class NonFiniteWatch {
     });
   }
 
-  NonFiniteCounts counts() const {
-    NonFiniteCounts counts;
-    for (const auto& cause : cause_) counts.add(cause.value_or(NonFiniteCause::sum));
-    return counts;
-  }
-
- private:
   template <typename Find>
   void note(Find find) {
     for (std::uint32_t slot = 0; slot < cause_.size(); ++slot)

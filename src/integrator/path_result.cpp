@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "integrator/path_stages.h"
 
 namespace photopic {
@@ -13,6 +15,7 @@ template <int N>
 void PathTracer<N>::finish(std::span<const PathKey> paths, Film& film) {
   std::vector<PathKey> non_finite;
   for (std::size_t slot = 0; slot < paths.size(); ++slot) {
+    if (!batch_.media.empty()) stats_.media_overflows += batch_.media[slot].overflowed();
     const Xyz xyz = batch_.wavelengths[slot].to_xyz(batch_.radiance[slot]);
     if (std::isfinite(xyz.x + xyz.y + xyz.z) && !is_lost(slot))
       film.add(batch_.pixel[slot], xyz);
@@ -26,13 +29,11 @@ void PathTracer<N>::finish(std::span<const PathKey> paths, Film& film) {
 template <int N>
 void PathTracer<N>::count_non_finite(std::span<const PathKey> paths) {
   const RenderStats before = stats_;
-  const std::uint64_t splits = shading_.split_paths();
   NonFiniteWatch<N> watch(batch_, paths.size());
-  watch_ = &watch;
+  StageWatch* const other = std::exchange(watch_, &watch);
   advance(paths);
-  watch_ = nullptr;
+  watch_ = other;
   stats_ = before;
-  splits_seen_twice_ += shading_.split_paths() - splits;
   stats_.non_finite += paths.size();
   stats_.non_finite_causes += watch.counts();
 }

@@ -1,91 +1,111 @@
 #include "integrator/path_stages.h"
 
 #include <limits>
+#include <numeric>
 
 namespace photopic {
 namespace {
 
-/// Roulette spares the first bounces: they carry most of the light.
+/// Roulette spares the first bounces, which carry most of the light, and after them paths whose throughput is
+/// one over kSpared or more: docs/benchmarks.md has the figures.
 constexpr int kRouletteDepth = 3;
+constexpr float kSpared = 2.0f;
 
 }  // namespace
 
 template <int N>
 PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths,
-                          const RenderOptions& options)
+                          const RenderOptions& options, const WavelengthTable& table)
     : scene_(scene),
       sampler_(wavelengths),
       options_(options),
+      table_(table),
       batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene),
-      shading_(scene) {}
+      shading_(scene) {
+  if (!batch_.media.empty()) camera_media_ = media_at(scene, scene.scene.camera.position);
+}
 
 template <int N>
 void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
+  StageClock clock(stats_.stages);
+  if (options_.time_stages) watch_ = &clock;
   advance(paths);
   finish(paths, film);
+  done(kStageFilm);
+  watch_ = nullptr;
 }
 
 template <int N>
 void PathTracer<N>::advance(std::span<const PathKey> paths) {
   start(paths);
-  if (watch_) watch_->after_start();
+  done(kStageStart);
   for (int depth = 1; !batch_.active.empty(); ++depth) {
     intersect();
+    done(kStageIntersect);
     absorb_and_emit();
-    if (watch_) watch_->after_emission();
+    if (!batch_.media.empty()) pass_hidden_surfaces();
+    done(kStageEmit);
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
+    done(kStageSort);
     batch_.active.clear();
     batch_.shadowed.clear();
-    shading_.shade(batch_, depth);
+    stats_.split_paths += shading_.shade(batch_, depth, watch_);
     trace_shadow_rays();
-    if (watch_) watch_->after_scattering();
+    done(kStageShadow);
     roulette(depth);
+    done(kStageRoulette);
   }
 }
 
 template <int N>
 void PathTracer<N>::start(std::span<const PathKey> paths) {
-  batch_.active.clear();
-  for (std::uint32_t slot = 0; slot < paths.size(); ++slot) {
-    batch_.pixel[slot] = paths[slot].pixel;
-    batch_.stream.set(slot,
-                      SampleStream(options_.sequence, options_.seed, paths[slot].pixel, paths[slot].sample));
-    batch_.active.push_back(slot);
+  batch_.active.resize(paths.size());
+  std::iota(batch_.active.begin(), batch_.active.end(), 0u);
+  for (std::uint32_t slot = 0; slot < paths.size(); ++slot) batch_.pixel[slot] = paths[slot].pixel;
+  for (std::size_t first = 0; first < paths.size(); first += kLanes) {
+    const Packet packet(batch_.active, first);
+    UintLanes sample;
+    for (int i = 0; i < kLanes; ++i) sample[i] = paths[packet[i]].sample;
+    const UintLanes pixel = gather(batch_.pixel.data(), packet);
+    const SampleStreamLanes stream(options_.sequence, UintLanes{} + options_.seed, pixel, sample);
+    batch_.stream.scatter(packet, stream);
+    draw_wavelengths(packet, stream);
+    leave_camera(packet, camera_rays(scene_.scene.camera, pixel, stream));
   }
-  choose_wavelengths();
-  leave_camera();
+  look_up_wavelengths();
   stats_.paths += paths.size();
 }
 
-/// The wavelengths, and all that depends on them alone. Drawing has a loop of its own, where the look-ups of
-/// neighbouring paths overlap.
 template <int N>
-void PathTracer<N>::choose_wavelengths() {
-  const Observer& observer = *options_.observer;
-  const auto& emissions = scene_.scene.emission_spectra;
-  for (const std::uint32_t slot : batch_.active)
-    batch_.sampled[slot] = sample_wavelengths<N>(sampler_, wavelength_u(batch_.stream[slot]));
+void PathTracer<N>::draw_wavelengths(const Packet& packet, const SampleStreamLanes& stream) {
+  const UintLanes bits = stream.bits(kWavelength);
+  for (int i = 0; i < packet.count; ++i)
+    batch_.sampled[packet[i]] = sample_wavelengths<N>(sampler_, SampleStream::fine(bits[i]));
+}
+
+/// What depends on the wavelengths alone, in a loop of its own, where neighbouring paths overlap.
+template <int N>
+void PathTracer<N>::look_up_wavelengths() {
   for (const std::uint32_t slot : batch_.active) {
-    const auto& wavelengths = batch_.sampled[slot];
-    batch_.wavelengths[slot] = PathWavelengths<N>(wavelengths, observer);
-    for (std::size_t k = 0; k < emissions.size(); ++k)
-      batch_.emission_of(slot, static_cast<int>(k)) = sample_emission<N>(emissions[k], wavelengths);
+    const auto& sampled = batch_.sampled[slot];
+    batch_.wavelengths[slot] =
+        PathWavelengths<N>(sampled, table_.look_up<N>(sampled.lambda, batch_.emissions_of(slot)));
     if (!batch_.tints.empty()) batch_.tints[slot] = SampledTints<N>(batch_.wavelengths[slot].lambda);
   }
 }
 
 template <int N>
-void PathTracer<N>::leave_camera() {
-  for (const std::uint32_t slot : batch_.active) {
-    const Ray ray = camera_ray(scene_.scene.camera, batch_.pixel[slot], batch_.stream[slot]);
-    batch_.rays.origin.set(slot, ray.origin);
-    batch_.rays.direction.set(slot, ray.direction);
+void PathTracer<N>::leave_camera(const Packet& packet, const RayLanes& rays) {
+  batch_.rays.origin.scatter(packet, rays.origin);
+  batch_.rays.direction.scatter(packet, rays.direction);
+  for (int i = 0; i < packet.count; ++i) {
+    const std::uint32_t slot = packet[i];
     batch_.throughput[slot] = SampledSpectrum<N>(1.0f);
     batch_.radiance[slot] = SampledSpectrum<N>(0.0f);
     batch_.bsdf_pdf[slot] = 0.0f;
     batch_.eta_scale[slot] = 1.0f;
-    batch_.medium[slot] = -1;
+    if (!batch_.media.empty()) batch_.media[slot] = camera_media_;
   }
 }
 
@@ -104,9 +124,9 @@ void PathTracer<N>::escape() {
     const Vec3f direction = batch_.rays.direction[slot], rgb = environment.radiance(direction);
     SampledSpectrum<N> arriving = batch_.throughput[slot] * batch_.tints[slot](rgb.x, rgb.y, rgb.z) *
                                   batch_.emission_of(slot, environment.emission_spectrum);
-    if (batch_.medium[slot] >= 0)
-      arriving *= scene_.surfaces[static_cast<std::size_t>(batch_.medium[slot])].transmittance(
-          batch_.wavelengths[slot].lambda, std::numeric_limits<float>::infinity());
+    if (!batch_.media.empty())
+      attenuate(arriving, scene_, batch_.media[slot].current(), batch_.wavelengths[slot].lambda,
+                std::numeric_limits<float>::infinity());
     if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
       arriving *= power_heuristic(
           pdf, scene_.lights.environment_pdf(batch_.vertex_of(slot), batch_.spectra_of(slot), direction));
@@ -123,11 +143,7 @@ void PathTracer<N>::absorb_and_emit() {
   std::erase_if(batch_.active, [&](std::uint32_t slot) { return batch_.hits[slot].shape == kNoHit; });
   for (const std::uint32_t slot : batch_.active) {
     const Hit& hit = batch_.hits[slot];
-    if (batch_.medium[slot] >= 0) {
-      const Surface& medium = scene_.surfaces[static_cast<std::size_t>(batch_.medium[slot])];
-      batch_.throughput[slot] *= medium.transmittance(batch_.wavelengths[slot].lambda, hit.t);
-    }
-
+    if (!batch_.media.empty()) travel(slot);
     const std::uint32_t material = geometry.shapes[hit.shape].material;
     const Surface& surface = scene_.surfaces[material];
     if (!surface.emits) continue;
@@ -152,9 +168,10 @@ void PathTracer<N>::sort_by_bsdf(int depth) {
   for (const std::uint32_t slot : batch_.active) {
     const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[batch_.hits[slot].shape].material];
     BsdfKind kind = surface.opaque_kind;
+    if (!surface.scatters) continue;
     if (surface.transmits)
       kind = ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda,
-                                {scene_.scene.geometry, batch_.hits[slot]})
+                                {scene_.scene.geometry, batch_.hits[slot]}, batch_.outside_of(slot, scene_))
                  .choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
     batch_.by_kind[static_cast<std::size_t>(kind)].push_back(slot);
   }
@@ -168,18 +185,24 @@ void PathTracer<N>::trace_shadow_rays() {
     if (!batch_.blocked[slot]) batch_.radiance[slot] += batch_.shadow_radiance[slot];
 }
 
-/// Ends paths with the probability 1 − max β: the brightest wavelength decides, so none is thrown away that
+/// Ends paths with the probability 1 − 2 max β: the brightest wavelength decides, so none is thrown away that
 /// counts.
 template <int N>
 void PathTracer<N>::roulette(int depth) {
   if (depth < kRouletteDepth) return;
-  std::erase_if(batch_.active, [&](std::uint32_t slot) {
-    const float survival = batch_.throughput[slot].max() * batch_.eta_scale[slot];
-    if (survival >= 1.0f) return false;
-    if (batch_.stream[slot].get_1d(bounce_dimension(depth, kRoulette)) >= survival) return true;
-    batch_.throughput[slot] *= 1.0f / survival;
-    return false;
-  });
+  std::size_t alive = 0;
+  for (std::size_t first = 0; first < batch_.active.size(); first += kLanes) {
+    const Packet packet(batch_.active, first);
+    const Lanes u = batch_.stream.gather(packet).get_1d(bounce_dimension(depth, kRoulette));
+    for (int i = 0; i < packet.count; ++i) {
+      const std::uint32_t slot = packet[i];
+      const float survival = kSpared * batch_.throughput[slot].max() * batch_.eta_scale[slot];
+      if (u[i] >= survival) continue;
+      if (survival < 1.0f) batch_.throughput[slot] *= 1.0f / survival;
+      batch_.active[alive++] = slot;
+    }
+  }
+  batch_.active.resize(alive);
 }
 
 template class PathTracer<1>;

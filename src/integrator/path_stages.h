@@ -6,6 +6,7 @@
 #include "integrator/non_finite_watch.h"
 #include "integrator/path_batch.h"
 #include "integrator/shading_stage.h"
+#include "spectral/wavelength_table.h"
 
 namespace photopic {
 
@@ -13,26 +14,30 @@ namespace photopic {
 template <int N>
 class PathTracer {
  public:
-  PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& options);
+  /// @param table of the scene's emissions and the observer
+  PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& options,
+             const WavelengthTable& table);
 
   /// Traces the paths and adds them to the film in the order given. At most options.batch_size of them.
   void trace(std::span<const PathKey> paths, Film& film);
 
-  RenderStats stats() const {
-    RenderStats s = stats_;
-    s.split_paths = shading_.split_paths() - splits_seen_twice_;
-    return s;
-  }
+  const RenderStats& stats() const { return stats_; }
 
  private:
+  void done(Stage stage) {
+    if (watch_) watch_->after(stage);
+  }
   /// Every stage of the paths, up to what each has gathered.
   void advance(std::span<const PathKey> paths);
   void start(std::span<const PathKey> paths);
-  void choose_wavelengths();
-  void leave_camera();
+  void draw_wavelengths(const Packet& packet, const SampleStreamLanes& stream);
+  void look_up_wavelengths();
+  void leave_camera(const Packet& packet, const RayLanes& rays);
   void intersect();
   void escape();
   void absorb_and_emit();
+  void travel(std::uint32_t slot);
+  void pass_hidden_surfaces();
   void sort_by_bsdf(int depth);
   void trace_shadow_rays();
   void roulette(int depth);
@@ -43,11 +48,12 @@ class PathTracer {
   const PreparedScene& scene_;
   const WavelengthSampler& sampler_;
   const RenderOptions& options_;
+  const WavelengthTable& table_;
   PathBatch<N> batch_;
   ShadingStage<N> shading_;
+  PathMedia camera_media_;  ///< around the camera
   RenderStats stats_;
-  std::uint64_t splits_seen_twice_ = 0;
-  NonFiniteWatch<N>* watch_ = nullptr;  ///< set while count_non_finite() traces paths once more
+  StageWatch* watch_ = nullptr;  ///< or none
 };
 
 }  // namespace photopic

@@ -39,6 +39,17 @@ struct PathWavelengths {
   std::array<SampledSpectrum<N>, 3> xyz_per_radiance;  ///< h(λ_j) / (S(λ_j)·∫ȳ dλ) for X, Y and Z
 
   PathWavelengths() = default;
+
+  /// @param h x̄, ȳ and z̄ over ∫ȳ dλ at the wavelengths
+  PathWavelengths(const SampledWavelengths<N>& w, const std::array<SampledSpectrum<N>, 3>& h) {
+    SampledSpectrum<N> sum;
+    for (int j = 0; j < N; ++j) lambda.v[j] = static_cast<float>(w.lambda[j]);
+    for (int j = 0; j < N; ++j) sum.v[j] = static_cast<float>(w.density_sum[j]);
+    const SampledSpectrum<N> weight = SampledSpectrum<N>(1.0f) / sum;
+    for (std::size_t i = 0; i < 3; ++i) xyz_per_radiance[i] = h[i] * weight;
+  }
+
+  /// The plain way, looking up each wavelength.
   PathWavelengths(const SampledWavelengths<N>& w, const Observer& observer) {
     for (int j = 0; j < N; ++j) {
       lambda.v[j] = static_cast<float>(w.lambda[j]);
@@ -74,6 +85,22 @@ inline Ray camera_ray(const Camera& camera, std::uint32_t pixel, const SampleStr
   const Sample2d u = stream.get_2d(kFilm);
   const float x = static_cast<float>(pixel % width) + u.x, y = static_cast<float>(pixel / width) + u.y;
   return camera.has_lens() ? camera.ray(x, y, stream.get_2d(kLens)) : camera.ray(x, y);
+}
+
+/// The same of 16.
+inline RayLanes camera_rays(const Camera& camera, UintLanes pixel, const SampleStreamLanes& stream) {
+  const auto width = static_cast<std::uint32_t>(camera.width);
+  const Sample2dLanes u = stream.get_2d(kFilm);
+  const UintLanes row = pixel / width;
+  const Lanes x = to_float(pixel - row * width) + u.x, y = to_float(row) + u.y;
+  if (!camera.has_lens()) return camera.ray(x, y);
+  const Sample2dLanes u_lens = stream.get_2d(kLens);
+  RayLanes rays;
+  for (int i = 0; i < kLanes; ++i) {
+    const Ray ray = camera.ray(x[i], y[i], lane(u_lens, i));
+    set_lane(rays.origin, i, ray.origin), set_lane(rays.direction, i, ray.direction);
+  }
+  return rays;
 }
 
 /// The u in [0, 1) that all wavelengths of a path come from.

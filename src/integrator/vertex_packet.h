@@ -5,6 +5,23 @@
 
 namespace photopic {
 
+/// Where up to 16 paths go on: BsdfSample's fields, directions in the shading frame.
+template <int N>
+struct DirectionSamples {
+  Vec3Lanes wi{};
+  Lanes pdf{}, eta = Lanes{} + 1.0f;  ///< pdf is 0 of a delta
+  IntLanes found{}, split{};          ///< masks
+  std::array<SampledSpectrum<N>, kLanes> weight;
+
+  void set(int i, const std::optional<BsdfSample<N>>& sample) {
+    if (!sample) return;
+    set_lane(wi, i, sample->wi);
+    pdf[i] = sample->delta ? 0.0f : sample->pdf, eta[i] = sample->eta;
+    found[i] = -1, split[i] = sample->split ? -1 : 0;
+    weight[static_cast<std::size_t>(i)] = sample->weight;
+  }
+};
+
 /// Vertices of up to 16 paths: what is geometry is done for all lanes at once, BSDFs one by one. Directions
 /// are in world space.
 template <int N, typename Bsdf>
@@ -18,9 +35,8 @@ struct VertexPacket {
       const std::uint32_t m = geometry.shapes[hit.shape].material;
       material[static_cast<std::size_t>(i)] = m;
       if (scene.surfaces[m].maps_normals)
-        set_lane(
-            point.shading_normal, i,
-            mapped_normal(geometry, hit, lane(point, i), lane(wo_world, i), *scene.surfaces[m].textures));
+        set_lane(point.shading_normal, i,
+                 mapped_normal(geometry, hit, lane(point, i), lane(wo_world, i), scene.surfaces[m]));
     }
     frame = shading_frame(point, wo_world, Bsdf::kTwoSided);
     if constexpr (requires { Bsdf::kHasGrain; }) {
@@ -32,8 +48,12 @@ struct VertexPacket {
     for (int i = 0; i < packet.count; ++i) {
       const std::uint32_t slot = packet[i];
       const ShadingMaterial<N> at_hit(surface(scene, i), batch.wavelengths[slot].lambda,
-                                      {geometry, batch.hits[slot]});
-      bsdf[static_cast<std::size_t>(i)].emplace(make_bsdf<Bsdf>(at_hit, lane(wo, i), batch.throughput[slot]));
+                                      {geometry, batch.hits[slot]}, batch.outside_of(slot, scene));
+      bsdf[static_cast<std::size_t>(i)].emplace(
+          make_bsdf<Bsdf>(at_hit, lane(wo, i), batch.throughput[slot], [&] {
+            return coat_normal(geometry, batch.hits[slot], lane(wo_world, i), surface(scene, i),
+                               lane(frame, i), lane(point.geometric_normal, i));
+          }));
     }
   }
 
@@ -42,21 +62,17 @@ struct VertexPacket {
   }
   const Bsdf& bsdf_of(int i) const { return *bsdf[static_cast<std::size_t>(i)]; }
 
-  /// Samples of all BSDFs. @return their directions in the shading frame
-  Vec3Lanes sample(const Packet& packet, Lanes u_lobe, const Sample2dLanes& u,
-                   std::array<std::optional<BsdfSample<N>>, kLanes>& samples) const {
-    Vec3Lanes local{};
-    if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>) local = sample_cosine_hemisphere(u);
-    for (int i = 0; i < packet.count; ++i) {
-      auto& sample = samples[static_cast<std::size_t>(i)];
-      if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>) {
-        sample = bsdf_of(i).sample_towards(lane(local, i));
-      } else {
-        sample = bsdf_of(i).sample(u_lobe[i], lane(u, i));
-        if (sample) set_lane(local, i, sample->wi);
-      }
+  DirectionSamples<N> sample(const Packet& packet, Lanes u_lobe, const Sample2dLanes& u) const {
+    DirectionSamples<N> samples;
+    if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>) {
+      samples.wi = sample_cosine_hemisphere(u);
+      samples.pdf = cosine_hemisphere_pdf(samples.wi.z);
+      samples.found = samples.wi.z > 0.0f;
+      for (int i = 0; i < packet.count; ++i) samples.weight[static_cast<std::size_t>(i)] = bsdf_of(i).albedo;
+    } else {
+      for (int i = 0; i < packet.count; ++i) samples.set(i, bsdf_of(i).sample(u_lobe[i], lane(u, i)));
     }
-    return local;
+    return samples;
   }
 
   /// See Vertex::sides_agree.
@@ -64,14 +80,8 @@ struct VertexPacket {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
   }
 
-  /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.
-  std::int32_t medium_towards(const PreparedScene& scene, int i, Vec3f w, std::int32_t current) const {
-    const Surface& s = surface(scene, i);
-    if (!s.solid || !s.transmits) return current;
-    return s.absorbs() && dot(w, lane(point.geometric_normal, i)) < 0.0f
-               ? static_cast<std::int32_t>(material[static_cast<std::size_t>(i)])
-               : -1;
-  }
+  /// Which w point to the back.
+  IntLanes is_inwards(Vec3Lanes w) const { return dot(w, point.geometric_normal) < 0.0f; }
 
   SurfacePointLanes point;
   FrameLanes frame;
