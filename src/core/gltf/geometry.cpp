@@ -12,7 +12,7 @@
 namespace photopic {
 namespace {
 
-constexpr double kMaxCoordinate = 1e13;  // below kFarthest; its square fits a float
+constexpr double kMaxCoordinate = 1e12;  // below kFarthest; its cube fits a float
 
 struct Box {
   Vec3d low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
