@@ -25,8 +25,10 @@ GLOBE = 4.0  # luminance of the floor lamp [cd/m2]
 
 
 def sky(direction):
-    """Linear sRGB [cd/m2]."""
+    """Linear sRGB [cd/m2]; dark to the right, where no window looks."""
     x, y, z = direction
+    if x > 0:
+        return (0, 0, 0)
     azimuth = math.atan2(x, -z)
     hill = 0.07 + 0.06 * math.sin(3 * azimuth + 1) + 0.03 * math.sin(7 * azimuth)
     if y < hill:

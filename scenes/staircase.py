@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Writes staircase/scene.glb: wooden stairs in a hall with a parquet floor, a carpet, pictures, a chest, a plant and much else, under one
-lamp. Of our own making. The lamp is a paper globe with the spectrum of a white LED (CIE LED-B3)."""
+lamp. Of our own making. The lamp is a paper globe with the spectrum of a three-band fluorescent lamp of 3000 K (CIE FL12)."""
 
 import math
 import pathlib
@@ -108,7 +108,7 @@ def add_things(scene):
 
     globe, triangles, normals = sphere(GLOBE, 16, 32)
     x, y, z = -1.35, 2.3, 0.2
-    scene.mesh("globe", scene.material(lamp("globe", 0.8, LUMINANCE, "cie:LED-B3")), globe, triangles, normals, translation=[x, y, z])
+    scene.mesh("globe", scene.material(lamp("globe", 0.8, LUMINANCE, "cie:FL12")), globe, triangles, normals, translation=[x, y, z])
     cord, triangles, normals = rod((x, y + GLOBE, z), (x, 3.4, z), 0.008, 8)
     scene.mesh("cord", scene.material(lambert("cord", (0.05, 0.05, 0.05))), cord, triangles, normals)
 

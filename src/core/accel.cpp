@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <span>
@@ -37,7 +38,7 @@ RTCRay make_ray(Vec3f origin, Vec3f direction, float t_max) {
   return ray;
 }
 
-constexpr std::size_t kPacket = 16;
+constexpr std::size_t kPacket = kLanes;
 
 /// A number in [0, 1) for a ray and a triangle, whatever stands beside it in a batch: as pbrt-v4 does
 /// (GeometricPrimitive::Intersect).
@@ -50,18 +51,22 @@ float hash_to_unit(const RTCFilterFunctionNArguments& a, unsigned i) {
   return static_cast<float>(hash >> 8) * 0x1p-24f;
 }
 
-void load(const RayArray& rays, std::span<const std::uint32_t> slots, RTCRay16& packet,
-          std::span<int> valid) {
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    const Vec3f o = rays.origin[slots[i]], d = rays.direction[slots[i]];
-    packet.org_x[i] = o.x, packet.org_y[i] = o.y, packet.org_z[i] = o.z;
-    packet.dir_x[i] = d.x, packet.dir_y[i] = d.y, packet.dir_z[i] = d.z;
-    packet.tnear[i] = 0.0f;
-    packet.time[i] = 0.0f;
-    packet.mask[i] = ~0u;
-    packet.flags[i] = 0;
-    valid[i] = is_finite(Ray{o, d}) ? -1 : 0;
-  }
+template <typename T, typename Vector>
+void store(T* to, Vector values) {
+  static_assert(sizeof(values) == kPacket * sizeof(T));
+  std::memcpy(to, &values, sizeof(values));
+}
+
+/// Of the slots' rays those are valid that are finite.
+void load(const RayArray& rays, const Packet& slots, RTCRay16& packet, std::array<int, kPacket>& valid) {
+  const Vec3Lanes o = rays.origin.gather(slots), d = rays.direction.gather(slots);
+  store(packet.org_x, o.x), store(packet.org_y, o.y), store(packet.org_z, o.z);
+  store(packet.dir_x, d.x), store(packet.dir_y, d.y), store(packet.dir_z, d.z);
+  store(packet.tnear, Lanes{}), store(packet.time, Lanes{});
+  store(packet.mask, ~UintLanes{}), store(packet.flags, UintLanes{});
+  const Lanes sum = o.x + o.y + o.z + d.x + d.y + d.z;
+  constexpr IntLanes kLane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  store(valid.data(), (sum - sum == 0.0f) & (kLane < slots.count));
 }
 
 /// What lets rays through a shape that covers in part.
@@ -255,14 +260,14 @@ double Accel::radius() const {
 
 void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits) const {
   for (std::size_t first = 0; first < slots.size(); first += kPacket) {
-    const auto packet = slots.subspan(first, std::min(kPacket, slots.size() - first));
+    const Packet packet(slots, first);
     alignas(64) RTCRayHit16 query;
-    alignas(64) std::array<int, kPacket> valid{};
+    alignas(64) std::array<int, kPacket> valid;
     load(rays, packet, query.ray, valid);
-    std::fill_n(query.ray.tfar, kPacket, std::numeric_limits<float>::infinity());
-    std::fill_n(query.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
+    store(query.ray.tfar, Lanes{} + std::numeric_limits<float>::infinity());
+    store(query.hit.geomID, UintLanes{} + RTC_INVALID_GEOMETRY_ID);
     handles_->intersect(valid.data(), query);
-    for (std::size_t i = 0; i < packet.size(); ++i) {
+    for (int i = 0; i < packet.count; ++i) {
       const auto& hit = query.hit;
       hits[packet[i]] =
           make_hit(hit.geomID[i], hit.primID[i], hit.instID[0][i], hit.u[i], hit.v[i], query.ray.tfar[i]);
@@ -273,13 +278,13 @@ void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots
 void Accel::occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
                      std::span<std::uint8_t> blocked) const {
   for (std::size_t first = 0; first < slots.size(); first += kPacket) {
-    const auto packet = slots.subspan(first, std::min(kPacket, slots.size() - first));
+    const Packet packet(slots, first);
     alignas(64) RTCRay16 query;
-    alignas(64) std::array<int, kPacket> valid{};
+    alignas(64) std::array<int, kPacket> valid;
     load(rays, packet, query, valid);
-    for (std::size_t i = 0; i < packet.size(); ++i) query.tfar[i] = rays.t_max[packet[i]];
+    store(query.tfar, gather(rays.t_max.data(), packet));
     handles_->occluded(valid.data(), query);
-    for (std::size_t i = 0; i < packet.size(); ++i) blocked[packet[i]] = query.tfar[i] < 0.0f;
+    for (int i = 0; i < packet.count; ++i) blocked[packet[i]] = query.tfar[i] < 0.0f;
   }
 }
 

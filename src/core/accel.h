@@ -16,6 +16,10 @@ struct Vec3Array {
   explicit Vec3Array(std::size_t size) : x(size), y(size), z(size) {}
   Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
   void set(std::size_t i, Vec3f v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  void scatter(const Packet& p, const Vec3Lanes& v) {
+    photopic::scatter(x.data(), p, v.x), photopic::scatter(y.data(), p, v.y),
+        photopic::scatter(z.data(), p, v.z);
+  }
   Vec3Lanes gather(const Packet& p) const {
     return {photopic::gather(x.data(), p), photopic::gather(y.data(), p), photopic::gather(z.data(), p)};
   }

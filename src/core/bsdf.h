@@ -45,10 +45,7 @@ struct DiffuseBsdf {
   }
 
   std::optional<BsdfSample<N>> sample(float, Sample2d u) const {
-    return sample_towards(sample_cosine_hemisphere(u));
-  }
-  /// @param wi of sample_cosine_hemisphere()
-  std::optional<BsdfSample<N>> sample_towards(Vec3f wi) const {
+    const Vec3f wi = sample_cosine_hemisphere(u);
     if (wi.z <= 0.0f) return {};
     return BsdfSample<N>{wi, albedo, cosine_hemisphere_pdf(wi.z), false};
   }

@@ -6,10 +6,13 @@
 namespace photopic {
 
 /// A ray with a unit direction; t is in metres along it.
-struct Ray {
-  Vec3f origin;
-  Vec3f direction;
+template <typename T>
+struct BasicRay {
+  Vec3<T> origin;
+  Vec3<T> direction;
 };
+using Ray = BasicRay<float>;
+using RayLanes = BasicRay<Lanes>;
 
 /// Embree takes no others.
 inline bool is_finite(const Ray& ray) {
@@ -32,11 +35,8 @@ struct Camera {
   bool has_lens() const { return aperture_radius > 0.0f; }
 
   /// The pinhole's ray through film position (x, y) in pixels, (0, 0) the top left corner of the film.
-  Ray ray(float x, float y) const {
-    const Vec3f offset = film_offset(x, y);
-    if (orthographic()) return {position + offset, -back};
-    return {position, normalize(offset - back)};
-  }
+  Ray ray(float x, float y) const { return pinhole_ray(x, y); }
+  RayLanes ray(const Lanes& x, const Lanes& y) const { return pinhole_ray(x, y); }
 
   /// The ray through a point of the lens, drawn uniformly by u, to where the pinhole's meets the plane of
   /// focus.
@@ -49,13 +49,21 @@ struct Camera {
   }
 
  private:
+  template <typename T>
+  BasicRay<T> pinhole_ray(T x, T y) const {
+    const Vec3<T> offset = film_offset(x, y), behind = broadcast<T>(back), eye = broadcast<T>(position);
+    if (orthographic()) return {eye + offset, -behind};
+    return {eye, normalize(offset - behind)};
+  }
+
   /// From the view's middle, in the plane at distance 1 or, orthographic, of the camera itself.
-  Vec3f film_offset(float x, float y) const {
+  template <typename T>
+  Vec3<T> film_offset(T x, T y) const {
     const float half = orthographic() ? half_height : tan_half_yfov;
     const float scale = 2.0f * half / static_cast<float>(height);
-    const float dx = (x - 0.5f * static_cast<float>(width)) * scale;
-    const float dy = (0.5f * static_cast<float>(height) - y) * scale;
-    return right * dx + up * dy;
+    const T dx = (x - 0.5f * static_cast<float>(width)) * scale;
+    const T dy = (0.5f * static_cast<float>(height) - y) * scale;
+    return broadcast<T>(right) * dx + broadcast<T>(up) * dy;
   }
 };
 

@@ -66,8 +66,12 @@ Vec3<T> select(Mask condition, Vec3<T> a, Vec3<T> b) {
   return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
 }
 /// The same in all lanes.
+template <typename T>
+Vec3<T> broadcast(Vec3f v) {
+  return {T{} + v.x, T{} + v.y, T{} + v.z};
+}
 inline Vec3Lanes to_lanes(Vec3f v) {
-  return {Lanes{} + v.x, Lanes{} + v.y, Lanes{} + v.z};
+  return broadcast<Lanes>(v);
 }
 inline Vec3f lane(const Vec3Lanes& v, int i) {
   return {v.x[i], v.y[i], v.z[i]};

@@ -58,8 +58,9 @@ Vec3<T> sample_cosine_hemisphere(BasicSample2d<T> u) {
   return {r * phi.cos, r * phi.sin, sqrt(1.0f - u.x)};
 }
 /// [1/sr]
-inline float cosine_hemisphere_pdf(float cos_theta) {
-  return std::max(0.0f, cos_theta) * kInvPi;
+template <typename T>
+T cosine_hemisphere_pdf(T cos_theta) {
+  return max(T{}, cos_theta) * kInvPi;
 }
 
 /// Barycentric coordinates (of the second and third vertex) of a uniform point of a triangle; density 1/area.

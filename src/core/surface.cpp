@@ -32,6 +32,13 @@ BsdfKind opaque_kind_of(const Material& m) {
   return m.metallic == 0.0f && m.specular == 0.0f ? BsdfKind::diffuse : BsdfKind::opaque;
 }
 
+/// Of a lamp, as a rule.
+bool is_black(const Material& m) {
+  if (opaque_kind_of(m) != BsdfKind::diffuse || may_transmit(m) || m.has_vertex_colors) return false;
+  if (m.unlit) return true;
+  return !has_texture(m, &MaterialTextures::base_color) && !m.base_is_measured && m.base_factor == Vec3f{};
+}
+
 BsdfKind glass_kind_of(const Material& m) {
   const auto* specular = std::get_if<ConstantSpectrum>(&m.specular_color);
   const bool colored =
@@ -49,6 +56,7 @@ std::shared_ptr<const MaterialExtensions> extensions_of(const Material& m) {
 Surface::Surface(const Material& m)
     : opaque_kind(opaque_kind_of(m)),
       glass_kind(glass_kind_of(m)),
+      scatters(!is_black(m)),
       transmits(may_transmit(m)),
       emits(m.emission_spectrum >= 0 && m.emission_luminance > 0.0f),
       double_sided(m.double_sided),

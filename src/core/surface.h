@@ -20,6 +20,7 @@ struct Surface {
 
   BsdfKind opaque_kind;  ///< of what does not transmit
   BsdfKind glass_kind;   ///< of what does
+  bool scatters;         ///< else it is black all over: paths end there
   bool transmits;        ///< somewhere on it glass may be chosen
   bool emits;
   bool double_sided;

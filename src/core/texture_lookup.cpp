@@ -8,42 +8,53 @@ namespace {
 
 using Texel = std::array<float, 4>;
 
-const std::array<float, 256>& srgb_decoded() {
-  static const auto table = [] {
-    std::array<float, 256> t;
-    for (std::size_t i = 0; i < t.size(); ++i)
-      t[i] = static_cast<float>(srgb_decode(static_cast<double>(i) / 255.0));
-    return t;
-  }();
-  return table;
-}
+using Decoded = std::array<float, 256>;
 
-float decode(std::uint8_t code, bool srgb) {
-  return srgb ? srgb_decoded()[code] : static_cast<float>(code) * (1.0f / 255.0f);
-}
-float decode(std::uint16_t code, bool srgb) {
-  const float value = static_cast<float>(code) * (1.0f / 65535.0f);
-  return srgb ? static_cast<float>(srgb_decode(value)) : value;
-}
-
-template <typename T>
-Texel fetch(const TextureImage& image, const std::vector<T>& texels, int x, int y, bool srgb) {
-  const auto channels = static_cast<std::size_t>(image.channels);
-  const T* t = &texels[(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                        static_cast<std::size_t>(x)) *
-                       channels];
-  if (channels < 3) {
-    const float grey = decode(t[0], srgb);
-    return {grey, grey, grey, channels == 2 ? decode(t[1], false) : 1.0f};
+/// What 8 bits stand for: sRGB-encoded, or in proportion.
+struct Codes {
+  Decoded srgb, linear;
+  Codes() {
+    for (std::size_t i = 0; i < srgb.size(); ++i) {
+      const double value = static_cast<double>(i) / 255.0;
+      srgb[i] = static_cast<float>(srgb_decode(value)), linear[i] = static_cast<float>(value);
+    }
   }
-  return {decode(t[0], srgb), decode(t[1], srgb), decode(t[2], srgb),
-          channels == 4 ? decode(t[3], false) : 1.0f};
-}
+};
+const Codes kCodes;
 
-Texel fetch(const TextureImage& image, int x, int y, bool srgb) {
-  if (const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&image.texels))
-    return fetch(image, *bytes, x, y, srgb);
-  return fetch(image, std::get<std::vector<std::uint16_t>>(image.texels), x, y, srgb);
+/// Texels of one type, how their colours are decoded once known.
+class Texels8 {
+ public:
+  Texels8(const std::uint8_t* texels, bool srgb)
+      : texels_(texels), colors_((srgb ? kCodes.srgb : kCodes.linear).data()) {}
+  float color(std::size_t i) const { return colors_[texels_[i]]; }
+  float alpha(std::size_t i) const { return kCodes.linear[texels_[i]]; }
+
+ private:
+  const std::uint8_t* texels_;
+  const float* colors_;
+};
+
+class Texels16 {
+ public:
+  Texels16(const std::uint16_t* texels, bool srgb) : texels_(texels), srgb_(srgb) {}
+  float color(std::size_t i) const { return srgb_ ? static_cast<float>(srgb_decode(alpha(i))) : alpha(i); }
+  float alpha(std::size_t i) const { return static_cast<float>(texels_[i]) * (1.0f / 65535.0f); }
+
+ private:
+  const std::uint16_t* texels_;
+  bool srgb_;
+};
+
+/// @param i index of the texel's first number
+template <typename Texels>
+Texel fetch(const Texels& texels, std::size_t i, int channels) {
+  if (channels < 3) {
+    const float grey = texels.color(i);
+    return {grey, grey, grey, channels == 2 ? texels.alpha(i + 1) : 1.0f};
+  }
+  return {texels.color(i), texels.color(i + 1), texels.color(i + 2),
+          channels == 4 ? texels.alpha(i + 3) : 1.0f};
 }
 
 /// Into [0, 1].
@@ -78,8 +89,21 @@ Texel mix(const Texel& a, const Texel& b, float f) {
   return t;
 }
 
-Vec4f to_vector(const Texel& t) {
-  return {t[0], t[1], t[2], t[3]};
+template <typename Texels>
+Texel look_up(const Texture& texture, const Texels& texels, Vec2f at) {
+  const TextureImage& image = *texture.image;
+  const auto texel = [&](int x, int y) {
+    const auto place =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+    return fetch(texels, place * static_cast<std::size_t>(image.channels), image.channels);
+  };
+  if (texture.nearest)
+    return texel(nearest_texel(at.x, texture.wrap_u, image.width),
+                 nearest_texel(at.y, texture.wrap_v, image.height));
+  const Neighbours x = neighbours(at.x, texture.wrap_u, image.width),
+                   y = neighbours(at.y, texture.wrap_v, image.height);
+  return mix(mix(texel(x.first, y.first), texel(x.second, y.first), x.fraction),
+             mix(texel(x.first, y.second), texel(x.second, y.second), x.fraction), y.fraction);
 }
 
 }  // namespace
@@ -97,16 +121,10 @@ bool TextureImage::is_black() const {
 
 Vec4f Texture::operator()(Vec2f uv) const {
   const Vec2f at = transform(uv);
-  const TextureImage& i = *image;
-  if (nearest) {
-    return to_vector(
-        fetch(i, nearest_texel(at.x, wrap_u, i.width), nearest_texel(at.y, wrap_v, i.height), srgb));
-  }
-  const Neighbours x = neighbours(at.x, wrap_u, i.width), y = neighbours(at.y, wrap_v, i.height);
-  const auto row = [&](int line) {
-    return mix(fetch(i, x.first, line, srgb), fetch(i, x.second, line, srgb), x.fraction);
-  };
-  return to_vector(mix(row(y.first), row(y.second), y.fraction));
+  const auto* bytes = std::get_if<std::vector<std::uint8_t>>(&image->texels);
+  const Texel t = bytes ? look_up(*this, Texels8(bytes->data(), srgb), at)
+                        : look_up(*this, Texels16(std::get<1>(image->texels).data(), srgb), at);
+  return {t[0], t[1], t[2], t[3]};
 }
 
 }  // namespace photopic

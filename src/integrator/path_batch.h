@@ -19,8 +19,9 @@ class StreamArray {
   StreamArray(std::size_t size, Sequence sequence)
       : sequence_(sequence), seed_(size), index_reversed_(size) {}
   SampleStream operator[](std::size_t i) const { return {sequence_, seed_[i], index_reversed_[i]}; }
-  void set(std::size_t i, const SampleStream& stream) {
-    seed_[i] = stream.seed(), index_reversed_[i] = stream.index_reversed();
+  void scatter(const Packet& p, const SampleStreamLanes& streams) {
+    photopic::scatter(seed_.data(), p, streams.seed());
+    photopic::scatter(index_reversed_.data(), p, streams.index_reversed());
   }
   SampleStreamLanes gather(const Packet& p) const {
     return {sequence_, photopic::gather(seed_.data(), p), photopic::gather(index_reversed_.data(), p)};

@@ -1,6 +1,7 @@
 #include "integrator/path_stages.h"
 
 #include <limits>
+#include <numeric>
 
 namespace photopic {
 namespace {
@@ -59,24 +60,33 @@ void PathTracer<N>::advance(std::span<const PathKey> paths) {
 
 template <int N>
 void PathTracer<N>::start(std::span<const PathKey> paths) {
-  batch_.active.clear();
-  for (std::uint32_t slot = 0; slot < paths.size(); ++slot) {
-    batch_.pixel[slot] = paths[slot].pixel;
-    batch_.stream.set(slot,
-                      SampleStream(options_.sequence, options_.seed, paths[slot].pixel, paths[slot].sample));
-    batch_.active.push_back(slot);
+  batch_.active.resize(paths.size());
+  std::iota(batch_.active.begin(), batch_.active.end(), 0u);
+  for (std::uint32_t slot = 0; slot < paths.size(); ++slot) batch_.pixel[slot] = paths[slot].pixel;
+  for (std::size_t first = 0; first < paths.size(); first += kLanes) {
+    const Packet packet(batch_.active, first);
+    UintLanes sample;
+    for (int i = 0; i < kLanes; ++i) sample[i] = paths[packet[i]].sample;
+    const UintLanes pixel = gather(batch_.pixel.data(), packet);
+    const SampleStreamLanes stream(options_.sequence, UintLanes{} + options_.seed, pixel, sample);
+    batch_.stream.scatter(packet, stream);
+    draw_wavelengths(packet, stream);
+    leave_camera(packet, camera_rays(scene_.scene.camera, pixel, stream));
   }
-  choose_wavelengths();
-  leave_camera();
+  look_up_wavelengths();
   stats_.paths += paths.size();
 }
 
-/// The wavelengths, and all that depends on them alone. Drawing has a loop of its own, where the look-ups of
-/// neighbouring paths overlap.
 template <int N>
-void PathTracer<N>::choose_wavelengths() {
-  for (const std::uint32_t slot : batch_.active)
-    batch_.sampled[slot] = sample_wavelengths<N>(sampler_, wavelength_u(batch_.stream[slot]));
+void PathTracer<N>::draw_wavelengths(const Packet& packet, const SampleStreamLanes& stream) {
+  const UintLanes bits = stream.bits(kWavelength);
+  for (int i = 0; i < packet.count; ++i)
+    batch_.sampled[packet[i]] = sample_wavelengths<N>(sampler_, SampleStream::fine(bits[i]));
+}
+
+/// What depends on the wavelengths alone, in a loop of its own, where neighbouring paths overlap.
+template <int N>
+void PathTracer<N>::look_up_wavelengths() {
   for (const std::uint32_t slot : batch_.active) {
     const auto& sampled = batch_.sampled[slot];
     batch_.wavelengths[slot] =
@@ -86,11 +96,11 @@ void PathTracer<N>::choose_wavelengths() {
 }
 
 template <int N>
-void PathTracer<N>::leave_camera() {
-  for (const std::uint32_t slot : batch_.active) {
-    const Ray ray = camera_ray(scene_.scene.camera, batch_.pixel[slot], batch_.stream[slot]);
-    batch_.rays.origin.set(slot, ray.origin);
-    batch_.rays.direction.set(slot, ray.direction);
+void PathTracer<N>::leave_camera(const Packet& packet, const RayLanes& rays) {
+  batch_.rays.origin.scatter(packet, rays.origin);
+  batch_.rays.direction.scatter(packet, rays.direction);
+  for (int i = 0; i < packet.count; ++i) {
+    const std::uint32_t slot = packet[i];
     batch_.throughput[slot] = SampledSpectrum<N>(1.0f);
     batch_.radiance[slot] = SampledSpectrum<N>(0.0f);
     batch_.bsdf_pdf[slot] = 0.0f;
@@ -158,6 +168,7 @@ void PathTracer<N>::sort_by_bsdf(int depth) {
   for (const std::uint32_t slot : batch_.active) {
     const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[batch_.hits[slot].shape].material];
     BsdfKind kind = surface.opaque_kind;
+    if (!surface.scatters) continue;
     if (surface.transmits)
       kind = ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda,
                                 {scene_.scene.geometry, batch_.hits[slot]}, batch_.outside_of(slot, scene_))
@@ -179,13 +190,19 @@ void PathTracer<N>::trace_shadow_rays() {
 template <int N>
 void PathTracer<N>::roulette(int depth) {
   if (depth < kRouletteDepth) return;
-  std::erase_if(batch_.active, [&](std::uint32_t slot) {
-    const float survival = kSpared * batch_.throughput[slot].max() * batch_.eta_scale[slot];
-    if (survival >= 1.0f) return false;
-    if (batch_.stream[slot].get_1d(bounce_dimension(depth, kRoulette)) >= survival) return true;
-    batch_.throughput[slot] *= 1.0f / survival;
-    return false;
-  });
+  std::size_t alive = 0;
+  for (std::size_t first = 0; first < batch_.active.size(); first += kLanes) {
+    const Packet packet(batch_.active, first);
+    const Lanes u = batch_.stream.gather(packet).get_1d(bounce_dimension(depth, kRoulette));
+    for (int i = 0; i < packet.count; ++i) {
+      const std::uint32_t slot = packet[i];
+      const float survival = kSpared * batch_.throughput[slot].max() * batch_.eta_scale[slot];
+      if (u[i] >= survival) continue;
+      if (survival < 1.0f) batch_.throughput[slot] *= 1.0f / survival;
+      batch_.active[alive++] = slot;
+    }
+  }
+  batch_.active.resize(alive);
 }
 
 template class PathTracer<1>;

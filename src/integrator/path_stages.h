@@ -30,8 +30,9 @@ class PathTracer {
   /// Every stage of the paths, up to what each has gathered.
   void advance(std::span<const PathKey> paths);
   void start(std::span<const PathKey> paths);
-  void choose_wavelengths();
-  void leave_camera();
+  void draw_wavelengths(const Packet& packet, const SampleStreamLanes& stream);
+  void look_up_wavelengths();
+  void leave_camera(const Packet& packet, const RayLanes& rays);
   void intersect();
   void escape();
   void absorb_and_emit();

@@ -87,6 +87,22 @@ inline Ray camera_ray(const Camera& camera, std::uint32_t pixel, const SampleStr
   return camera.has_lens() ? camera.ray(x, y, stream.get_2d(kLens)) : camera.ray(x, y);
 }
 
+/// The same of 16.
+inline RayLanes camera_rays(const Camera& camera, UintLanes pixel, const SampleStreamLanes& stream) {
+  const auto width = static_cast<std::uint32_t>(camera.width);
+  const Sample2dLanes u = stream.get_2d(kFilm);
+  const UintLanes row = pixel / width;
+  const Lanes x = to_float(pixel - row * width) + u.x, y = to_float(row) + u.y;
+  if (!camera.has_lens()) return camera.ray(x, y);
+  const Sample2dLanes u_lens = stream.get_2d(kLens);
+  RayLanes rays;
+  for (int i = 0; i < kLanes; ++i) {
+    const Ray ray = camera.ray(x[i], y[i], lane(u_lens, i));
+    set_lane(rays.origin, i, ray.origin), set_lane(rays.direction, i, ray.direction);
+  }
+  return rays;
+}
+
 /// The u in [0, 1) that all wavelengths of a path come from.
 inline double wavelength_u(const SampleStream& stream) {
   return stream.get_1d_fine(kWavelength);

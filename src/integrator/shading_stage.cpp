@@ -71,14 +71,21 @@ LightSampleLanes ShadingStage<N>::choose_lights(PathBatch<N>& batch, const Packe
   LightSampleLanes lights;
   if (scene_.lights.sample_only_light(vertices.point.position, u, lights)) return lights;
   const UintLanes choice = stream.bits(bounce_dimension(depth, kLightChoice));
+  LightReferenceLanes at{.position = vertices.point.position,
+                         .normal = {},
+                         .spectra = {},
+                         .u_choice = {},
+                         .u = u,
+                         .count = packet.count};
+  if (!Bsdf::kLitFromBehind) at.normal = vertices.frame.n;
   for (int i = 0; i < packet.count; ++i) {
     const std::uint32_t slot = packet[i];
     weigh_spectra(batch, slot);
-    const Vec3f lit_side = Bsdf::kLitFromBehind ? Vec3f{} : lane(vertices.frame.n, i);
-    if (scene_.lights.uses_normals()) batch.normal.set(slot, lit_side);
-    lights.set(i, scene_.lights.sample({lane(vertices.point.position, i), lit_side}, batch.spectra_of(slot),
-                                       SampleStream::fine(choice[i]), lane(u, i)));
+    if (scene_.lights.uses_normals()) batch.normal.set(slot, lane(at.normal, i));
+    at.spectra[static_cast<std::size_t>(i)] = batch.spectra_of(slot);
+    at.u_choice[static_cast<std::size_t>(i)] = SampleStream::fine(choice[i]);
   }
+  scene_.lights.sample(at, lights);
   return lights;
 }
 
@@ -141,24 +148,23 @@ std::uint64_t ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Pack
   const SampleStreamLanes stream = batch.stream.gather(packet);
   const Lanes u_lobe = stream.get_1d(bounce_dimension(depth, kBsdfLobe));
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
-  std::array<std::optional<BsdfSample<N>>, kLanes> samples{};
-  const Vec3Lanes local = vertices.sample(packet, u_lobe, u, samples);
-  const Vec3Lanes wi = vertices.frame.to_world(local), origin = vertices.point.leave(wi);
-  const IntLanes agree = vertices.sides_agree(wi, local.z), inwards = vertices.is_inwards(wi);
+  const DirectionSamples<N> samples = vertices.sample(packet, u_lobe, u);
+  const Vec3Lanes wi = vertices.frame.to_world(samples.wi), origin = vertices.point.leave(wi);
+  const IntLanes go_on = samples.found & vertices.sides_agree(wi, samples.wi.z),
+                 inwards = vertices.is_inwards(wi);
   std::uint64_t split = 0;
 
   for (int i = 0; i < packet.count; ++i) {
-    const auto& sample = samples[static_cast<std::size_t>(i)];
-    if (!sample || !agree[i]) continue;
+    if (!go_on[i]) continue;
     const std::uint32_t slot = packet[i];
-    batch.throughput[slot] *= sample->weight;
-    split += sample->split;
+    batch.throughput[slot] *= samples.weight[static_cast<std::size_t>(i)];
+    split += samples.split[i] ? 1 : 0;
     if (batch.throughput[slot].is_black()) continue;
     batch.rays.origin.set(slot, lane(origin, i));
     batch.rays.direction.set(slot, lane(wi, i));
     batch.vertex.set(slot, lane(vertices.point.position, i));
-    batch.bsdf_pdf[slot] = sample->delta ? 0.0f : sample->pdf;
-    batch.eta_scale[slot] *= sqr(sample->eta);
+    batch.bsdf_pdf[slot] = samples.pdf[i];
+    batch.eta_scale[slot] *= sqr(samples.eta[i]);
     if (!batch.media.empty()) batch.media[slot].go_on(scene_.surfaces, inwards[i]);
     batch.active.push_back(slot);
   }

@@ -5,6 +5,23 @@
 
 namespace photopic {
 
+/// Where up to 16 paths go on: BsdfSample's fields, directions in the shading frame.
+template <int N>
+struct DirectionSamples {
+  Vec3Lanes wi{};
+  Lanes pdf{}, eta = Lanes{} + 1.0f;  ///< pdf is 0 of a delta
+  IntLanes found{}, split{};          ///< masks
+  std::array<SampledSpectrum<N>, kLanes> weight;
+
+  void set(int i, const std::optional<BsdfSample<N>>& sample) {
+    if (!sample) return;
+    set_lane(wi, i, sample->wi);
+    pdf[i] = sample->delta ? 0.0f : sample->pdf, eta[i] = sample->eta;
+    found[i] = -1, split[i] = sample->split ? -1 : 0;
+    weight[static_cast<std::size_t>(i)] = sample->weight;
+  }
+};
+
 /// Vertices of up to 16 paths: what is geometry is done for all lanes at once, BSDFs one by one. Directions
 /// are in world space.
 template <int N, typename Bsdf>
@@ -45,21 +62,17 @@ struct VertexPacket {
   }
   const Bsdf& bsdf_of(int i) const { return *bsdf[static_cast<std::size_t>(i)]; }
 
-  /// Samples of all BSDFs. @return their directions in the shading frame
-  Vec3Lanes sample(const Packet& packet, Lanes u_lobe, const Sample2dLanes& u,
-                   std::array<std::optional<BsdfSample<N>>, kLanes>& samples) const {
-    Vec3Lanes local{};
-    if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>) local = sample_cosine_hemisphere(u);
-    for (int i = 0; i < packet.count; ++i) {
-      auto& sample = samples[static_cast<std::size_t>(i)];
-      if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>) {
-        sample = bsdf_of(i).sample_towards(lane(local, i));
-      } else {
-        sample = bsdf_of(i).sample(u_lobe[i], lane(u, i));
-        if (sample) set_lane(local, i, sample->wi);
-      }
+  DirectionSamples<N> sample(const Packet& packet, Lanes u_lobe, const Sample2dLanes& u) const {
+    DirectionSamples<N> samples;
+    if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>) {
+      samples.wi = sample_cosine_hemisphere(u);
+      samples.pdf = cosine_hemisphere_pdf(samples.wi.z);
+      samples.found = samples.wi.z > 0.0f;
+      for (int i = 0; i < packet.count; ++i) samples.weight[static_cast<std::size_t>(i)] = bsdf_of(i).albedo;
+    } else {
+      for (int i = 0; i < packet.count; ++i) samples.set(i, bsdf_of(i).sample(u_lobe[i], lane(u, i)));
     }
-    return local;
+    return samples;
   }
 
   /// See Vertex::sides_agree.

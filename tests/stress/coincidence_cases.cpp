@@ -81,15 +81,19 @@ void add_coincidence_cases(StressList& list) {
   for (const double gap : list.steps({0, 1e-5}, {0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3})) {
     list.add({"coincident", with_number("touching boxes of white paint, gap", gap),
               built(touching(diffuse(ConstantSpectrum{1.0}), gap)), Luminance{3.0, 3e-4}, 60, 300});
-    list.add({"coincident", with_number("touching boxes of glass, gap", gap),
-              built(touching(solid_glass(1.5f, 0.0f), gap)), Luminance{3.0, 3e-4}, 60, 500});
-    list.add({"coincident", with_number("touching boxes of rough glass, gap", gap),
-              built(touching(solid_glass(1.5f, 0.4f), gap)), Luminance{3.0, 5e-3}, 60, 500});
     list.add(
         {"coincident", with_number("stack of panes, gap", gap), built(stack(gap)), Luminance{3.0}, 60, 500});
     list.add({"coincident", with_number("dark room beside a bright one, gap", gap),
               built(neighbours(gap, 1e6)), Dark{}, 60, 20});
   }
+  // Glass whose faces lie closer than rounding tells apart is not tried: a ray that starts beyond one has
+  // passed the other.
+  for (const double gap : list.steps({1e-5}, {3e-6, 1e-5, 1e-4, 1e-3}))
+    for (const double roughness : {0.0, 0.4})
+      list.add({"coincident",
+                with_number(with_number("touching boxes of glass of roughness", roughness) + ", gap", gap),
+                built(touching(solid_glass(1.5f, static_cast<float>(roughness)), gap)),
+                Luminance{3.0, roughness > 0 ? 2e-3 : 3e-4}, 60, 500});
   for (const double h : list.steps({1e-1, 1e-5}, {1e-1, 1e-2, 1e-3, 1e-4, 3e-5, 1e-5}))
     list.add({"coincident", with_number("floor under a shining ceiling, gap", h), built(low_ceiling(h)),
               Luminance{2 * overhead(1 / h), 5e-4}, 2000, 2});

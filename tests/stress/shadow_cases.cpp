@@ -18,6 +18,26 @@ SceneBuilder white_ball(double size, Vec3d at, int levels) {
   return b;
 }
 
+/// A ball lit from aside and from afar: half of its facets are dark, and smooth normals bend the light across
+/// the border. The mean over a Lambertian ball's disc is 2/3 · ρE/π times its phase function, 1/π at 90°
+/// (Lambert 1760).
+StressCase half_lit_ball(int levels, bool smooth) {
+  constexpr double kHalf = 1.2;  // of the view, where the ball's radius is 1
+  SceneBuilder b;
+  b.sphere({}, 1, levels, b.material(diffuse(ConstantSpectrum{0.8})), smooth);
+  b.quad({5000, -2, -2}, {5000, -2, 2}, {5000, 2, 2}, {5000, 2, -2}, b.lamp(d65(), 1e7, true));
+  b.camera({0, -600, 0}, {}, 2 * std::atan(kHalf / 600) * 180 / kPiD, 12, 12);
+  const double irradiance = 1e7 * 16 / (5000.0 * 5000.0);
+  const double disc = 2.0 / 3 * 0.8 * irradiance / kPiD / kPiD, share = kPiD / (4 * kHalf * kHalf);
+  const std::string name = std::string("ball lit from aside, ") + (smooth ? "smooth" : "flat") + " normals";
+  return {"self-shadowing",
+          with_number(name + ", level", levels),
+          built(b),
+          Luminance{disc * share, levels < 5 ? 2e-3 : 5e-4},
+          400,
+          2};
+}
+
 /// A tiled floor under a small lamp that faces the spot seen, low above the horizon.
 StressCase grazing_light(double elevation) {
   SceneBuilder b;
@@ -88,6 +108,9 @@ void add_shadow_cases(StressList& list) {
   for (const Vec3d& at : {Vec3d{1000, -1000, 1000}, Vec3d{300, 2, -10}, Vec3d{0.5, -1e4, 7}})
     list.add({"self-shadowing", with_number("ball of 1 m at y", at.y), built(white_ball(1, at, 3)),
               Luminance{3.0, 2e-6}, 100, 3});
+
+  for (const double levels : list.steps({4}, {4, 5, 6}))
+    for (const bool smooth : {false, true}) list.add(half_lit_ball(static_cast<int>(levels), smooth));
 
   for (const double e : list.steps({1e-1, 1e-2, 1e-3}, {1, 0.3, 1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4})) {
     list.add(grazing_light(e));

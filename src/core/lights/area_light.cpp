@@ -8,13 +8,6 @@
 namespace photopic {
 namespace {
 
-/// Squared distance in squared longest edges of the light beyond which solid angle and area are sampled
-/// alike.
-constexpr float kFar2 = 3.0f;
-/// Squared height above the plane, likewise, below which the solid angle is lost in rounding; as it is where
-/// the height itself may be nothing but rounding.
-constexpr float kTouching2 = 1e-11f;
-
 using Corners = std::array<Vec3f, 3>;
 
 Corners corners_of(const Geometry& geometry, std::uint32_t triangle) {
@@ -113,8 +106,8 @@ SphericalPolygon seen_from(Vec3f from, const AreaLight& light, float height) {
 bool is_by_area(Vec3f from, const AreaLight& light, float height) {
   const Vec3f to_middle = light.middle() - from;
   const float extent2 = light.extent2();
-  return dot(to_middle, to_middle) > kFar2 * extent2 || height * height < kTouching2 * extent2 ||
-         std::abs(height) < light.rounding(from);
+  return dot(to_middle, to_middle) > AreaLight::kFar2 * extent2 ||
+         height * height < AreaLight::kTouching2 * extent2 || std::abs(height) < light.rounding(from);
 }
 
 }  // namespace
@@ -147,32 +140,6 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
   s.material = material;
   s.triangle = triangle + (parallelogram && half == 0 ? 1u : 0u);
   return s;
-}
-
-void AreaLight::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& s) const {
-  const Vec3Lanes n = to_lanes(normal), to_vertex = to_lanes(vertex) - from,
-                  to_middle = to_lanes(middle()) - from;
-  const Lanes h = dot(n, to_vertex);
-  s.reached = double_sided ? h != 0.0f : h < 0.0f;
-  const Lanes away = rounding(from);
-  const IntLanes near = s.reached & (dot(to_middle, to_middle) <= kFar2 * extent2()) &
-                        (h * h >= kTouching2 * extent2()) & (abs(h) >= away);
-
-  // By area.
-  const Sample2dLanes b = parallelogram ? u : sample_triangle(u);
-  const Vec3Lanes to_point = to_vertex + to_lanes(edge1) * b.x + to_lanes(edge2) * b.y;
-  const Lanes distance2 = dot(to_point, to_point);
-  s.distance = sqrt(distance2);
-  s.direction = to_point / s.distance;
-  s.pdf = distance2 * s.distance / (abs(h) * area);
-  s.end = from + to_point + n * select(h < 0.0f, away, -away);
-  s.material = UintLanes{} + material;
-  s.triangle = UintLanes{} + triangle;
-  if (parallelogram) s.triangle += b.x > b.y ? UintLanes{} + 1u : UintLanes{};
-
-  // By solid angle, where the light looms large.
-  for (int i = 0; i < kLanes; ++i)
-    if (near[i]) s.set(i, sample(lane(from, i), lane(u, i)));
 }
 
 float AreaLight::pdf(Vec3f from, float distance) const {

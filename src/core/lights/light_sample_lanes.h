@@ -1,10 +1,24 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <span>
 
 #include "core/lights/light.h"
+#include "core/sample_sequence.h"
 
 namespace photopic {
+
+/// Points that light is gathered at, and the random numbers to do it with; see LightSampler::sample.
+struct LightReferenceLanes {
+  Vec3Lanes position, normal;
+  std::array<std::span<const float>, kLanes> spectra;
+  std::array<double, kLanes> u_choice;
+  Sample2dLanes u;
+  int count;  ///< of the lanes in use
+
+  LightReference operator[](int i) const { return {lane(position, i), lane(normal, i)}; }
+};
 
 /// LightSample's fields for the paths of a packet.
 struct LightSampleLanes {

@@ -150,8 +150,7 @@ void LightSampler::spectrum_probabilities(std::span<float> brightness) const {
   }
 }
 
-std::optional<LightSample> LightSampler::sample(const LightReference& at, std::span<const float> spectra,
-                                                double u_choice, Sample2d u) const {
+LightSampler::Pick LightSampler::pick(std::span<const float> spectra, double u_choice) const {
   // The spectrum.
   auto k = static_cast<std::size_t>(only_spectrum_);
   float probability = 1.0f;
@@ -164,18 +163,18 @@ std::optional<LightSample> LightSampler::sample(const LightReference& at, std::s
 
   // The light.
   const Group& group = groups_[k];
-  const std::uint32_t entry = group.table.sample(u_choice);
+  const std::uint32_t entry = group.table.sample(u_choice), light = group.lights[entry];
   probability *= group.table.probability(entry);
-  std::uint32_t light = group.lights[entry];
-  if (light == kNoLight) {
-    const LightTree::Choice choice = group.tree.choose(at, u_choice);
-    if (choice.light == kNoLight) return {};
-    light = choice.light;
-    probability *= choice.probability;
-  }
+  return {light, probability, light == kNoLight ? &group.tree : nullptr, u_choice};
+}
 
-  std::optional<LightSample> s = sample_light(light, at.position, u);
-  if (s) s->pdf *= probability;
+std::optional<LightSample> LightSampler::sample(const LightReference& at, std::span<const float> spectra,
+                                                double u_choice, Sample2d u) const {
+  Pick chosen = pick(spectra, u_choice);
+  if (chosen.tree) chosen.take(chosen.tree->choose(at, chosen.u));
+  if (chosen.light == kNoLight) return {};
+  std::optional<LightSample> s = sample_light(chosen.light, at.position, u);
+  if (s) s->pdf *= chosen.probability;
   return s;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "core/lights/alias_table.h"
 #include "core/lights/area_light.h"
+#include "core/lights/light_sample_lanes.h"
 #include "core/lights/light_tree.h"
 
 namespace photopic {
@@ -37,15 +39,12 @@ class LightSampler {
   std::optional<LightSample> sample(const LightReference& at, std::span<const float> spectra, double u_choice,
                                     Sample2d u) const;
 
-  /// The same from 16 points at once, where one lamp is all there is. @return whether that is so
-  bool sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const {
-    if (!only_area_light_) return false;
-    const AreaLight& light = area_lights_.list()[*only_area_light_];
-    light.sample(from, u, samples);
-    samples.radiance = Lanes{} + area_lights_.emission(light).luminance;
-    samples.spectrum = IntLanes{} + area_lights_.emission(light).spectrum;
-    return true;
-  }
+  /// The same for several points at once.
+  void sample(const LightReferenceLanes& at, LightSampleLanes& samples) const;
+
+  /// The same where one lamp is all there is: it wants neither normals nor a choice. @return whether that is
+  /// so
+  bool sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const;
 
   /// The density with which sample() gives a direction that ends at a glowing triangle [1/sr].
   /// @param distance to the hit [m]
@@ -71,6 +70,20 @@ class LightSampler {
     std::uint32_t leaf = 0;          ///< of the tree, when that is the entry
   };
 
+  /// A light, or a tree that is still to choose it.
+  struct Pick {
+    std::uint32_t light = kNoLight;
+    float probability = 0.0f;
+    const LightTree* tree = nullptr;
+    double u = 0.0;  ///< for the tree
+
+    void take(const LightTree::Choice& choice) { light = choice.light, probability *= choice.probability; }
+  };
+  using Picks = std::array<Pick, kLanes>;
+
+  Pick pick(std::span<const float> spectra, double u_choice) const;
+  Picks pick_lights(const LightReferenceLanes& at) const;
+  void fill_emission(const AreaLight& light, int lane, LightSampleLanes& samples) const;
   void make_group(Group& group, std::span<const std::uint32_t> members, std::span<const double> weight);
   LightBounds bounds_of(std::uint32_t light) const;
   bool is_unbounded(std::uint32_t light) const;

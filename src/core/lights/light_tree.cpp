@@ -14,11 +14,6 @@ constexpr float kSmall2 = 0.06f;
 /// Squared distance [m²] that keeps importances finite.
 constexpr float kLeastDistance2 = 1e-30f;
 
-/// The second where the numbers cannot be compared.
-Lanes larger(Lanes a, Lanes b) {
-  return a > b ? a : b;
-}
-
 /// The largest number below x > 0 that 24 bits tell from it.
 float just_below(float x) {
   return x * (1.0f - 0x1p-24f);
@@ -29,26 +24,27 @@ float just_below(float x) {
 /// What may arrive from each at most, roughly: power / distance² × the cosines at both ends, each at its most
 /// favourable within the sphere about the box. Where the sphere lies below the surface's plane, nothing.
 Lanes LightTree::Node::importance(const LightReference& at) const {
+  constexpr Lanes kZero{}, kOne = kZero + 1.0f;
   // Within the sphere its radius is the distance.
   const Lanes dx = x - at.position.x, dy = y - at.position.y, dz = z - at.position.z;
   const Lanes to_middle2 = dx * dx + dy * dy + dz * dz, radius2 = radius * radius;
-  const auto inside = to_middle2 <= radius2;
-  const Lanes inverse = 1.0f / sqrt(larger(larger(to_middle2, radius2), kLeastDistance2 + Lanes{}));
+  const IntLanes inside = to_middle2 <= radius2;
+  const Lanes inverse = 1.0f / sqrt(max(max(to_middle2, radius2), kZero + kLeastDistance2));
   const Lanes sin_b = radius * inverse;  // half the angle that the sphere subtends
 
   const Vec3f n = at.normal;
   const Lanes height = (n.x * dx + n.y * dy + n.z * dz) * inverse + sin_b + (n == Vec3f{} ? 1.0f : 0.0f);
-  const Lanes cos_surface = larger(height < 1.0f ? height : 1.0f + Lanes{}, Lanes{});
+  const Lanes cos_surface = max(min(height, kOne), kZero);
 
   // At the light: the angle to the axis, less the cone's and the sphere's.
   const Lanes along = -(axis_x * dx + axis_y * dy + axis_z * dz) * inverse;
-  const Lanes cos_w = larger(along, along * other_side), sin_w = sqrt(larger(1.0f - cos_w * cos_w, Lanes{}));
-  const auto in_cone = cos_w >= cos_o;
-  const Lanes cos_x = in_cone ? 1.0f + Lanes{} : cos_w * cos_o + sin_w * sin_o;
-  const Lanes sin_x = in_cone ? Lanes{} : sin_w * cos_o - cos_w * sin_o;
-  const Lanes cos_b = sqrt(larger(1.0f - sin_b * sin_b, Lanes{}));
-  const Lanes cos_light = inside || cos_x >= cos_b ? 1.0f + Lanes{} : cos_x * cos_b + sin_x * sin_b;
-  const Lanes shines = cos_light > cos_e ? larger(cos_light, Lanes{}) : Lanes{};
+  const Lanes cos_w = max(along, along * other_side), sin_w = sqrt(max(1.0f - cos_w * cos_w, kZero));
+  const IntLanes in_cone = cos_w >= cos_o;
+  const Lanes cos_x = select(in_cone, kOne, cos_w * cos_o + sin_w * sin_o);
+  const Lanes sin_x = select(in_cone, kZero, sin_w * cos_o - cos_w * sin_o);
+  const Lanes cos_b = sqrt(max(1.0f - sin_b * sin_b, kZero));
+  const Lanes cos_light = select(inside | (cos_x >= cos_b), kOne, cos_x * cos_b + sin_x * sin_b);
+  const Lanes shines = select(cos_light > cos_e, max(cos_light, kZero), kZero);
   return power * cos_surface * shines * (inverse * inverse);
 }
 
@@ -127,32 +123,44 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
   }
 }
 
-LightTree::Choice LightTree::choose(const LightReference& at, double u) const {
-  float probability = 1.0f;
-  bool by_power = false;
-  std::uint32_t node = 0;
-  while (true) {
-    const Node& n = nodes_[node];
-    const Lanes weight = by_power ? n.power : n.importance(at);
-    Lanes up_to;
-    float total = 0.0f;
-    for (std::uint32_t i = 0; i < kWidth; ++i) up_to[i] = total += weight[i];
-    if (!(total > 0.0f)) return {kNoLight, 0.0f};
-
-    // The first whose sum lies above: sums never fall, so that it has a weight.
-    const double target = u * double{total};
-    const float rounded = std::min(static_cast<float>(target), just_below(total));
-    std::uint32_t lane = 0;
-    for (std::uint32_t i = 0; i < kWidth; ++i) lane += up_to[i] <= rounded ? 1u : 0u;
-    const double passed = up_to[lane] - weight[lane];
-    u = std::clamp((target - passed) / double{weight[lane]}, 0.0, 1.0 - 0x1p-53);
-    probability *= weight[lane] / total;
-
-    const std::int32_t child = n.child[lane];
-    if (child < 0) return {static_cast<std::uint32_t>(~child), probability};
-    by_power = by_power || n.seen_alike(lane, at.position);
-    node = static_cast<std::uint32_t>(child);
+bool LightTree::Descent::step() {
+  const Node& n = nodes_[node_];
+  const Lanes weight = by_power_ ? n.power : n.importance(at_);
+  Lanes up_to;
+  float total = 0.0f;
+  for (std::uint32_t i = 0; i < kWidth; ++i) up_to[i] = total += weight[i];
+  if (!(total > 0.0f)) {
+    choice_ = {kNoLight, 0.0f};
+    return false;
   }
+
+  // The first whose sum lies above: sums never fall, so that it has a weight.
+  const double target = u_ * double{total};
+  const float rounded = std::min(static_cast<float>(target), just_below(total));
+  std::uint32_t lane = 0;
+  for (std::uint32_t i = 0; i < kWidth; ++i) lane += up_to[i] <= rounded ? 1u : 0u;
+  const float share = weight[lane], passed = up_to[lane] - share;
+  u_ = std::clamp((target - double{passed}) / double{share}, 0.0, 1.0 - 0x1p-53);
+  choice_.probability *= share / total;
+
+  const std::int32_t child = n.child[lane];
+  if (child < 0) {
+    choice_.light = static_cast<std::uint32_t>(~child);
+    return false;
+  }
+  by_power_ = by_power_ || n.seen_alike(lane, at_.position);
+  node_ = static_cast<std::uint32_t>(child);
+  const auto* lines = reinterpret_cast<const char*>(&nodes_[node_]);
+  for (std::size_t i = 0; i < (by_power_ ? 2 * sizeof(Lanes) : sizeof(Node)); i += sizeof(Lanes))
+    __builtin_prefetch(lines + i);
+  return true;
+}
+
+LightTree::Choice LightTree::choose(const LightReference& at, double u) const {
+  Descent descent(*this, at, u);
+  while (descent.step()) {
+  }
+  return descent.choice();
 }
 
 float LightTree::probability(const LightReference& at, std::uint32_t light) const {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/lights/light.h"
 #include "core/lights/light_bounds.h"
-#include "spectral/sampled_spectrum.h"
 
 namespace photopic {
 
@@ -26,6 +25,8 @@ class LightTree {
     std::uint32_t light;  ///< its name; kNoLight where none shines
     float probability;
   };
+  class Descent;
+
   /// @param u in [0, 1)
   Choice choose(const LightReference& at, double u) const;
 
@@ -37,9 +38,9 @@ class LightTree {
 
   /// What is known of each branch, a line of memory a quantity; branches that are missing have no power.
   struct alignas(64) Node {
-    Lanes power;                             ///< of all lights: 1
-    std::array<std::int32_t, kWidth> child;  ///< a node, or ~light
-    Lanes x, y, z, radius;                   ///< sphere about the box [m]
+    Lanes power;            ///< of all lights: 1
+    IntLanes child;         ///< a node, or ~light
+    Lanes x, y, z, radius;  ///< sphere about the box [m]
     Lanes axis_x, axis_y, axis_z, cos_o, sin_o, cos_e;
     Lanes other_side;  ///< −1: shines along −axis too; else 1
 
@@ -55,6 +56,28 @@ class LightTree {
   std::vector<Node> nodes_;
   std::vector<Place> place_of_node_;  ///< in its parent
   std::vector<Place> place_of_light_;
+};
+
+/// A choice on its way down the tree. Several advanced in turns do not wait for each other's look-ups.
+class LightTree::Descent {
+ public:
+  Descent() = default;
+  /// @param u in [0, 1)
+  Descent(const LightTree& tree, const LightReference& at, double u)
+      : nodes_(tree.nodes_.data()), at_(at), u_(u) {}
+
+  /// One node further. @return whether there is more to go
+  bool step();
+
+  const Choice& choice() const { return choice_; }  ///< at the end
+
+ private:
+  const Node* nodes_ = nullptr;
+  LightReference at_;
+  double u_ = 0.0;
+  std::uint32_t node_ = 0;
+  bool by_power_ = false;
+  Choice choice_{kNoLight, 1.0f};
 };
 
 }  // namespace photopic

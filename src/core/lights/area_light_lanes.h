@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+
+#include "core/lights/area_light.h"
+#include "core/lights/light_sample_lanes.h"
+
+namespace photopic {
+
+/// Area lights, one a lane.
+struct AreaLightLanes {
+  explicit AreaLightLanes(const AreaLight& in_all);
+  explicit AreaLightLanes(const std::array<const AreaLight*, kLanes>& lights);
+
+  /// AreaLight::sample where it samples by area.
+  /// @return mask: where the light looms so large, or lies so close, that AreaLight::sample is asked instead
+  IntLanes sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const;
+
+  Vec3Lanes vertex, edge1, edge2, normal;
+  Lanes area, error;
+  UintLanes triangle, material;
+  IntLanes parallelogram, double_sided;  ///< masks
+};
+
+}  // namespace photopic
