@@ -54,7 +54,8 @@ class Accel {
   Accel(Accel&&) noexcept;
   Accel& operator=(Accel&&) noexcept;
 
-  /// The nearest hit with 0 < t of the rays in the given slots.
+  /// The nearest hit with 0 < t of the rays in the given slots. What is not finite hits nothing, here and
+  /// below.
   void intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits) const;
 
   /// Whether something lies at 0 < t < t_max, 1 or 0 a slot.

@@ -65,6 +65,10 @@ template <typename Mask, typename T>
 Vec3<T> select(Mask condition, Vec3<T> a, Vec3<T> b) {
   return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
 }
+/// The same in all lanes.
+inline Vec3Lanes to_lanes(Vec3f v) {
+  return {Lanes{} + v.x, Lanes{} + v.y, Lanes{} + v.z};
+}
 inline Vec3f lane(const Vec3Lanes& v, int i) {
   return {v.x[i], v.y[i], v.z[i]};
 }

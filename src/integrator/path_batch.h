@@ -7,6 +7,7 @@
 #include "core/accel.h"
 #include "core/bsdf.h"
 #include "core/prepared_scene.h"
+#include "integrator/media.h"
 #include "integrator/path_start.h"
 #include "spectral/rgb_light.h"
 
@@ -47,7 +48,8 @@ struct PathBatch {
         radiance(capacity),
         bsdf_pdf(capacity),
         eta_scale(capacity),
-        medium(capacity),
+        media(has_media(scene) ? capacity : 0),
+        vertex(capacity),
         normal(scene.lights.uses_normals() ? capacity : 0),
         spectrum_choice(scene.lights.several_spectra() ? emission.size() : 0),
         tints(scene.scene.environment ? capacity : 0),
@@ -65,6 +67,12 @@ struct PathBatch {
     return emission[slot * emission_count_ + static_cast<std::size_t>(k)];
   }
 
+  std::size_t emission_count() const { return emission_count_; }
+  /// All of them.
+  std::span<SampledSpectrum<N>> emissions_of(std::uint32_t slot) {
+    return std::span(emission).subspan(slot * emission_count_, emission_count_);
+  }
+
   /// The probabilities of each spectrum's lights at the slot's last vertex; empty where there is one
   /// spectrum.
   std::span<float> spectra_of(std::uint32_t slot) {
@@ -72,9 +80,14 @@ struct PathBatch {
     return std::span(spectrum_choice).subspan(slot * emission_count_, emission_count_);
   }
 
+  /// What bounds the medium in front of the surface that was hit, or null.
+  const Surface* outside_of(std::uint32_t slot, const PreparedScene& scene) const {
+    return media.empty() ? nullptr : surface_of(scene, media[slot].outside());
+  }
+
   /// The slot's last vertex as the lights see it.
   LightReference vertex_of(std::uint32_t slot) const {
-    return {rays.origin[slot], normal.x.empty() ? Vec3f{} : normal[slot]};
+    return {vertex[slot], normal.x.empty() ? Vec3f{} : normal[slot]};
   }
 
   // The path so far.
@@ -89,8 +102,9 @@ struct PathBatch {
   std::vector<SampledSpectrum<N>> radiance;    ///< gathered so far [cd/m² per unit emission spectrum]
   std::vector<float> bsdf_pdf;   ///< of the last direction [1/sr]; 0: it was a delta, or the camera's
   std::vector<float> eta_scale;  ///< η² of the interfaces crossed: what roulette must not mistake for loss
-  std::vector<std::int32_t> medium;  ///< material of the glass the path is in, −1 outside
+  std::vector<PathMedia> media;  ///< empty where the scene has none
 
+  Vec3Array vertex;                    ///< the last one's position; where rays start is a little off it
   Vec3Array normal;                    ///< of the last vertex, where lights are chosen by it
   std::vector<float> spectrum_choice;  ///< see spectra_of
   std::vector<SampledTints<N>> tints;  ///< for the environment's colours

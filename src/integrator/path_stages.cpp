@@ -12,28 +12,47 @@ constexpr int kRouletteDepth = 3;
 
 template <int N>
 PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths,
-                          const RenderOptions& options)
+                          const RenderOptions& options, const WavelengthTable& table)
     : scene_(scene),
       sampler_(wavelengths),
       options_(options),
+      table_(table),
       batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene),
-      shading_(scene) {}
+      shading_(scene) {
+  if (!batch_.media.empty()) camera_media_ = media_at(scene, scene.scene.camera.position);
+}
 
 template <int N>
 void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
+  StageClock clock(stats_.stages);
+  if (options_.time_stages) watch_ = &clock;
+  advance(paths);
+  finish(paths, film);
+  done(kStageFilm);
+  watch_ = nullptr;
+}
+
+template <int N>
+void PathTracer<N>::advance(std::span<const PathKey> paths) {
   start(paths);
+  done(kStageStart);
   for (int depth = 1; !batch_.active.empty(); ++depth) {
     intersect();
+    done(kStageIntersect);
     absorb_and_emit();
+    if (!batch_.media.empty()) pass_hidden_surfaces();
+    done(kStageEmit);
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
+    done(kStageSort);
     batch_.active.clear();
     batch_.shadowed.clear();
-    shading_.shade(batch_, depth);
+    stats_.split_paths += shading_.shade(batch_, depth, watch_);
     trace_shadow_rays();
+    done(kStageShadow);
     roulette(depth);
+    done(kStageRoulette);
   }
-  finish(paths.size(), film);
 }
 
 template <int N>
@@ -54,15 +73,12 @@ void PathTracer<N>::start(std::span<const PathKey> paths) {
 /// neighbouring paths overlap.
 template <int N>
 void PathTracer<N>::choose_wavelengths() {
-  const Observer& observer = *options_.observer;
-  const auto& emissions = scene_.scene.emission_spectra;
   for (const std::uint32_t slot : batch_.active)
     batch_.sampled[slot] = sample_wavelengths<N>(sampler_, wavelength_u(batch_.stream[slot]));
   for (const std::uint32_t slot : batch_.active) {
-    const auto& wavelengths = batch_.sampled[slot];
-    batch_.wavelengths[slot] = PathWavelengths<N>(wavelengths, observer);
-    for (std::size_t k = 0; k < emissions.size(); ++k)
-      batch_.emission_of(slot, static_cast<int>(k)) = sample_emission<N>(emissions[k], wavelengths);
+    const auto& sampled = batch_.sampled[slot];
+    batch_.wavelengths[slot] =
+        PathWavelengths<N>(sampled, table_.look_up<N>(sampled.lambda, batch_.emissions_of(slot)));
     if (!batch_.tints.empty()) batch_.tints[slot] = SampledTints<N>(batch_.wavelengths[slot].lambda);
   }
 }
@@ -77,7 +93,7 @@ void PathTracer<N>::leave_camera() {
     batch_.radiance[slot] = SampledSpectrum<N>(0.0f);
     batch_.bsdf_pdf[slot] = 0.0f;
     batch_.eta_scale[slot] = 1.0f;
-    batch_.medium[slot] = -1;
+    if (!batch_.media.empty()) batch_.media[slot] = camera_media_;
   }
 }
 
@@ -96,9 +112,9 @@ void PathTracer<N>::escape() {
     const Vec3f direction = batch_.rays.direction[slot], rgb = environment.radiance(direction);
     SampledSpectrum<N> arriving = batch_.throughput[slot] * batch_.tints[slot](rgb.x, rgb.y, rgb.z) *
                                   batch_.emission_of(slot, environment.emission_spectrum);
-    if (batch_.medium[slot] >= 0)
-      arriving *= scene_.surfaces[static_cast<std::size_t>(batch_.medium[slot])].transmittance(
-          batch_.wavelengths[slot].lambda, std::numeric_limits<float>::infinity());
+    if (!batch_.media.empty())
+      attenuate(arriving, scene_, batch_.media[slot].current(), batch_.wavelengths[slot].lambda,
+                std::numeric_limits<float>::infinity());
     if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
       arriving *= power_heuristic(
           pdf, scene_.lights.environment_pdf(batch_.vertex_of(slot), batch_.spectra_of(slot), direction));
@@ -115,11 +131,7 @@ void PathTracer<N>::absorb_and_emit() {
   std::erase_if(batch_.active, [&](std::uint32_t slot) { return batch_.hits[slot].shape == kNoHit; });
   for (const std::uint32_t slot : batch_.active) {
     const Hit& hit = batch_.hits[slot];
-    if (batch_.medium[slot] >= 0) {
-      const Surface& medium = scene_.surfaces[static_cast<std::size_t>(batch_.medium[slot])];
-      batch_.throughput[slot] *= medium.transmittance(batch_.wavelengths[slot].lambda, hit.t);
-    }
-
+    if (!batch_.media.empty()) travel(slot);
     const std::uint32_t material = geometry.shapes[hit.shape].material;
     const Surface& surface = scene_.surfaces[material];
     if (!surface.emits) continue;
@@ -146,7 +158,7 @@ void PathTracer<N>::sort_by_bsdf(int depth) {
     BsdfKind kind = surface.opaque_kind;
     if (surface.transmits)
       kind = ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda,
-                                {scene_.scene.geometry, batch_.hits[slot]})
+                                {scene_.scene.geometry, batch_.hits[slot]}, batch_.outside_of(slot, scene_))
                  .choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
     batch_.by_kind[static_cast<std::size_t>(kind)].push_back(slot);
   }
@@ -172,18 +184,6 @@ void PathTracer<N>::roulette(int depth) {
     batch_.throughput[slot] *= 1.0f / survival;
     return false;
   });
-}
-
-/// In the order of the slots: a pixel's sum has the same bits however its paths were batched.
-template <int N>
-void PathTracer<N>::finish(std::size_t count, Film& film) {
-  for (std::size_t slot = 0; slot < count; ++slot) {
-    const Xyz xyz = batch_.wavelengths[slot].to_xyz(batch_.radiance[slot]);
-    if (std::isfinite(xyz.x + xyz.y + xyz.z))
-      film.add(batch_.pixel[slot], xyz);
-    else
-      ++stats_.non_finite;
-  }
 }
 
 template class PathTracer<1>;

@@ -3,8 +3,10 @@
 #include <span>
 
 #include "integrator/integrator.h"
+#include "integrator/non_finite_watch.h"
 #include "integrator/path_batch.h"
 #include "integrator/shading_stage.h"
+#include "spectral/wavelength_table.h"
 
 namespace photopic {
 
@@ -12,35 +14,45 @@ namespace photopic {
 template <int N>
 class PathTracer {
  public:
-  PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& options);
+  /// @param table of the scene's emissions and the observer
+  PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& options,
+             const WavelengthTable& table);
 
   /// Traces the paths and adds them to the film in the order given. At most options.batch_size of them.
   void trace(std::span<const PathKey> paths, Film& film);
 
-  RenderStats stats() const {
-    RenderStats s = stats_;
-    s.split_paths = shading_.split_paths();
-    return s;
-  }
+  const RenderStats& stats() const { return stats_; }
 
  private:
+  void done(Stage stage) {
+    if (watch_) watch_->after(stage);
+  }
+  /// Every stage of the paths, up to what each has gathered.
+  void advance(std::span<const PathKey> paths);
   void start(std::span<const PathKey> paths);
   void choose_wavelengths();
   void leave_camera();
   void intersect();
   void escape();
   void absorb_and_emit();
+  void travel(std::uint32_t slot);
+  void pass_hidden_surfaces();
   void sort_by_bsdf(int depth);
   void trace_shadow_rays();
   void roulette(int depth);
-  void finish(std::size_t count, Film& film);
+  bool is_lost(std::size_t slot) const;
+  void finish(std::span<const PathKey> paths, Film& film);
+  void count_non_finite(std::span<const PathKey> paths);
 
   const PreparedScene& scene_;
   const WavelengthSampler& sampler_;
   const RenderOptions& options_;
+  const WavelengthTable& table_;
   PathBatch<N> batch_;
   ShadingStage<N> shading_;
+  PathMedia camera_media_;  ///< around the camera
   RenderStats stats_;
+  StageWatch* watch_ = nullptr;  ///< or none
 };
 
 }  // namespace photopic

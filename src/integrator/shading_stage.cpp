@@ -9,25 +9,34 @@
 namespace photopic {
 
 template <int N>
-void ShadingStage<N>::shade(PathBatch<N>& batch, int depth) {
-  shade<DiffuseBsdf<N>>(batch, BsdfKind::diffuse, depth);
-  shade<OpaqueBsdf<N>>(batch, BsdfKind::opaque, depth);
-  shade<ConductorBsdf<N>>(batch, BsdfKind::conductor, depth);
-  shade<LayeredBsdf<N>>(batch, BsdfKind::layered, depth);
-  shade<GlassBsdf<N>>(batch, BsdfKind::glass, depth);
-  shade<SpectralGlassBsdf<N>>(batch, BsdfKind::spectral_glass, depth);
+std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, int depth, StageWatch* watch) {
+  std::uint64_t split = 0;
+  const auto shade_all = [&]<typename Bsdf>(BsdfKind kind, std::type_identity<Bsdf>) {
+    if (batch.by_kind[static_cast<std::size_t>(kind)].empty()) return;
+    split += shade<Bsdf>(batch, kind, depth);
+    if (watch) watch->after(shading_stage(kind));
+  };
+  shade_all(BsdfKind::diffuse, std::type_identity<DiffuseBsdf<N>>{});
+  shade_all(BsdfKind::opaque, std::type_identity<OpaqueBsdf<N>>{});
+  shade_all(BsdfKind::conductor, std::type_identity<ConductorBsdf<N>>{});
+  shade_all(BsdfKind::layered, std::type_identity<LayeredBsdf<N>>{});
+  shade_all(BsdfKind::glass, std::type_identity<GlassBsdf<N>>{});
+  shade_all(BsdfKind::spectral_glass, std::type_identity<SpectralGlassBsdf<N>>{});
+  return split;
 }
 
 template <int N>
 template <typename Bsdf>
-void ShadingStage<N>::shade(PathBatch<N>& batch, BsdfKind kind, int depth) {
+std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, BsdfKind kind, int depth) {
   const auto& slots = batch.by_kind[static_cast<std::size_t>(kind)];
+  std::uint64_t split = 0;
   for (std::size_t first = 0; first < slots.size(); first += kLanes) {
     const Packet packet(slots, first);
     const VertexPacket<N, Bsdf> vertices(scene_, batch, packet);
     if (!scene_.lights.empty()) sample_lights(batch, packet, depth, vertices);
-    sample_directions(batch, packet, depth, vertices);
+    split += sample_directions(batch, packet, depth, vertices);
   }
+  return split;
 }
 
 /// Where lights differ in spectrum: what those of each may add to this path.
@@ -101,6 +110,8 @@ void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, i
   const Lanes weight = lights.radiance * mis / lights.pdf;
   const Vec3Lanes origin = vertices.point.leave(lights.direction), to_end = lights.end - origin;
 
+  const IntLanes inwards = vertices.is_inwards(lights.direction);
+
   // What would arrive?
   for (int i = 0; i < packet.count; ++i) {
     if (pdf[i] == 0.0f) continue;
@@ -116,9 +127,9 @@ void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, i
       arriving *= lamp_tint(batch, slot, lights.material[i], lights.triangle[i], lane(lights.end, i));
     if (arriving.is_black()) continue;
     const float distance = lights.distance[i];
-    if (const int medium = vertices.medium_towards(scene_, i, wi, batch.medium[slot]); medium >= 0)
-      arriving *= scene_.surfaces[static_cast<std::size_t>(medium)].transmittance(
-          batch.wavelengths[slot].lambda, distance);
+    if (!batch.media.empty())
+      attenuate(arriving, scene_, batch.media[slot].on_side(inwards[i]), batch.wavelengths[slot].lambda,
+                distance);
 
     const bool unbounded = std::isinf(distance);
     batch.shadow_rays.origin.set(slot, lane(origin, i));
@@ -132,30 +143,33 @@ void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, i
 /// Where the paths go on.
 template <int N>
 template <typename Bsdf>
-void ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
-                                        const VertexPacket<N, Bsdf>& vertices) {
+std::uint64_t ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
+                                                 const VertexPacket<N, Bsdf>& vertices) {
   const SampleStreamLanes stream = batch.stream.gather(packet);
   const Lanes u_lobe = stream.get_1d(bounce_dimension(depth, kBsdfLobe));
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
   std::array<std::optional<BsdfSample<N>>, kLanes> samples{};
   const Vec3Lanes local = vertices.sample(packet, u_lobe, u, samples);
   const Vec3Lanes wi = vertices.frame.to_world(local), origin = vertices.point.leave(wi);
-  const IntLanes agree = vertices.sides_agree(wi, local.z);
+  const IntLanes agree = vertices.sides_agree(wi, local.z), inwards = vertices.is_inwards(wi);
+  std::uint64_t split = 0;
 
   for (int i = 0; i < packet.count; ++i) {
     const auto& sample = samples[static_cast<std::size_t>(i)];
     if (!sample || !agree[i]) continue;
     const std::uint32_t slot = packet[i];
     batch.throughput[slot] *= sample->weight;
-    split_paths_ += sample->split;
+    split += sample->split;
     if (batch.throughput[slot].is_black()) continue;
     batch.rays.origin.set(slot, lane(origin, i));
     batch.rays.direction.set(slot, lane(wi, i));
+    batch.vertex.set(slot, lane(vertices.point.position, i));
     batch.bsdf_pdf[slot] = sample->delta ? 0.0f : sample->pdf;
     batch.eta_scale[slot] *= sqr(sample->eta);
-    batch.medium[slot] = vertices.medium_towards(scene_, i, lane(wi, i), batch.medium[slot]);
+    if (!batch.media.empty()) batch.media[slot].go_on(scene_.surfaces, inwards[i]);
     batch.active.push_back(slot);
   }
+  return split;
 }
 
 template class ShadingStage<1>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "integrator/stage_watch.h"
 #include "integrator/vertex_packet.h"
 
 namespace photopic {
@@ -13,14 +14,12 @@ class ShadingStage {
 
   /// Takes the slots of batch.by_kind; leaves shadow rays in batch.shadowed, paths that go on in
   /// batch.active.
-  void shade(PathBatch<N>& batch, int depth);
-
-  /// Paths that went on with one wavelength after dispersion, so far.
-  std::uint64_t split_paths() const { return split_paths_; }
+  /// @return how many of those were left with one wavelength by dispersion
+  std::uint64_t shade(PathBatch<N>& batch, int depth, StageWatch* watch);
 
  private:
   template <typename Bsdf>
-  void shade(PathBatch<N>& batch, BsdfKind kind, int depth);
+  std::uint64_t shade(PathBatch<N>& batch, BsdfKind kind, int depth);
   void weigh_spectra(PathBatch<N>& batch, std::uint32_t slot) const;
   SampledSpectrum<N> lamp_tint(const PathBatch<N>& batch, std::uint32_t slot, std::uint32_t material,
                                std::uint32_t triangle, Vec3f position) const;
@@ -31,11 +30,10 @@ class ShadingStage {
   void sample_lights(PathBatch<N>& batch, const Packet& packet, int depth,
                      const VertexPacket<N, Bsdf>& vertices);
   template <typename Bsdf>
-  void sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
-                         const VertexPacket<N, Bsdf>& vertices);
+  std::uint64_t sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
+                                  const VertexPacket<N, Bsdf>& vertices);
 
   const PreparedScene& scene_;
-  std::uint64_t split_paths_ = 0;
 };
 
 }  // namespace photopic

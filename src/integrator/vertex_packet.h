@@ -18,9 +18,8 @@ struct VertexPacket {
       const std::uint32_t m = geometry.shapes[hit.shape].material;
       material[static_cast<std::size_t>(i)] = m;
       if (scene.surfaces[m].maps_normals)
-        set_lane(
-            point.shading_normal, i,
-            mapped_normal(geometry, hit, lane(point, i), lane(wo_world, i), *scene.surfaces[m].textures));
+        set_lane(point.shading_normal, i,
+                 mapped_normal(geometry, hit, lane(point, i), lane(wo_world, i), scene.surfaces[m]));
     }
     frame = shading_frame(point, wo_world, Bsdf::kTwoSided);
     if constexpr (requires { Bsdf::kHasGrain; }) {
@@ -32,8 +31,12 @@ struct VertexPacket {
     for (int i = 0; i < packet.count; ++i) {
       const std::uint32_t slot = packet[i];
       const ShadingMaterial<N> at_hit(surface(scene, i), batch.wavelengths[slot].lambda,
-                                      {geometry, batch.hits[slot]});
-      bsdf[static_cast<std::size_t>(i)].emplace(make_bsdf<Bsdf>(at_hit, lane(wo, i), batch.throughput[slot]));
+                                      {geometry, batch.hits[slot]}, batch.outside_of(slot, scene));
+      bsdf[static_cast<std::size_t>(i)].emplace(
+          make_bsdf<Bsdf>(at_hit, lane(wo, i), batch.throughput[slot], [&] {
+            return coat_normal(geometry, batch.hits[slot], lane(wo_world, i), surface(scene, i),
+                               lane(frame, i), lane(point.geometric_normal, i));
+          }));
     }
   }
 
@@ -64,14 +67,8 @@ struct VertexPacket {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
   }
 
-  /// The glass that a ray towards w travels in (its material, −1: none), coming from a vertex in `current`.
-  std::int32_t medium_towards(const PreparedScene& scene, int i, Vec3f w, std::int32_t current) const {
-    const Surface& s = surface(scene, i);
-    if (!s.solid || !s.transmits) return current;
-    return s.absorbs() && dot(w, lane(point.geometric_normal, i)) < 0.0f
-               ? static_cast<std::int32_t>(material[static_cast<std::size_t>(i)])
-               : -1;
-  }
+  /// Which w point to the back.
+  IntLanes is_inwards(Vec3Lanes w) const { return dot(w, point.geometric_normal) < 0.0f; }
 
   SurfacePointLanes point;
   FrameLanes frame;

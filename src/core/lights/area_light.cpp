@@ -107,7 +107,7 @@ bool is_by_area(Vec3f from, const AreaLight& light, float height) {
   const Vec3f to_middle = light.middle() - from;
   const float extent2 = light.extent2();
   return dot(to_middle, to_middle) > AreaLight::kFar2 * extent2 ||
-         height * height < AreaLight::kTouching2 * extent2;
+         height * height < AreaLight::kTouching2 * extent2 || std::abs(height) < light.rounding(from);
 }
 
 }  // namespace
@@ -135,7 +135,8 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
     s.pdf = 1.0f / polygon.solid_angle();
     half = way.part;
   }
-  s.end = from + s.direction * s.distance + normal * (h < 0.0f ? error : -error);
+  const float away = rounding(from);
+  s.end = from + s.direction * s.distance + normal * (h < 0.0f ? away : -away);
   s.material = material;
   s.triangle = triangle + (parallelogram && half == 0 ? 1u : 0u);
   return s;

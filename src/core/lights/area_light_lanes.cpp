@@ -1,19 +1,12 @@
 #include "core/lights/area_light_lanes.h"
 
 namespace photopic {
-namespace {
-
-Vec3Lanes in_all_lanes(Vec3f v) {
-  return {Lanes{} + v.x, Lanes{} + v.y, Lanes{} + v.z};
-}
-
-}  // namespace
 
 AreaLightLanes::AreaLightLanes(const AreaLight& light)
-    : vertex(in_all_lanes(light.vertex)),
-      edge1(in_all_lanes(light.edge1)),
-      edge2(in_all_lanes(light.edge2)),
-      normal(in_all_lanes(light.normal)),
+    : vertex(to_lanes(light.vertex)),
+      edge1(to_lanes(light.edge1)),
+      edge2(to_lanes(light.edge2)),
+      normal(to_lanes(light.normal)),
       area(Lanes{} + light.area),
       error(Lanes{} + light.error),
       triangle(UintLanes{} + light.triangle),
@@ -46,7 +39,8 @@ IntLanes AreaLightLanes::sample(const Vec3Lanes& from, const Sample2dLanes& u, L
   s.distance = sqrt(distance2);
   s.direction = to_point * (1.0f / s.distance);
   s.pdf = distance2 * s.distance / (abs(h) * area);
-  s.end = from + to_point + normal * select(h < 0.0f, error, -error);
+  const Lanes away = max(error, kPositionError * max_abs(from));  // AreaLight::rounding
+  s.end = from + to_point + normal * select(h < 0.0f, away, -away);
   s.delta = s.environment = IntLanes{};
   s.material = material;
   s.triangle = triangle + (reinterpret_cast<UintLanes>(parallelogram & (b.x > b.y)) & 1u);
@@ -55,7 +49,7 @@ IntLanes AreaLightLanes::sample(const Vec3Lanes& from, const Sample2dLanes& u, L
   const Vec3Lanes to_middle = to_vertex + (edge1 + edge2) * middle;
   const Lanes extent2 = max(dot(edge1, edge1), dot(edge2, edge2));
   return s.reached & (dot(to_middle, to_middle) <= AreaLight::kFar2 * extent2) &
-         (h * h >= AreaLight::kTouching2 * extent2);
+         (h * h >= AreaLight::kTouching2 * extent2) & (abs(h) >= away);
 }
 
 }  // namespace photopic

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/sampling.h"
-#include "spectral/sampled_spectrum.h"
+#include "spectral/float_vectors.h"
 
 namespace photopic {
 
@@ -17,13 +17,12 @@ class SphericalPolygon {
   /// is a repetition
   /// @param volume of the parallelepiped that each triangle of the fan spans with the viewer, > 0 [m³]
   SphericalPolygon(const std::array<Vec3f, 4>& vertices, int count, float volume) : parts_(count - 2) {
-    using Corners = FloatLanes<4>::Type;
-    Corners x, y, z, inverse_length;
+    Float4 x, y, z, inverse_length;
     for (int i = 0; i < 4; ++i) {
       const Vec3f v = vertices[static_cast<std::size_t>(i)];
       x[i] = v.x, y[i] = v.y, z[i] = v.z;
     }
-    const Corners squared = x * x + y * y + z * z;
+    const Float4 squared = x * x + y * y + z * z;
     for (int i = 0; i < 4; ++i) inverse_length[i] = std::sqrt(squared[i]);
     inverse_length = 1.0f / inverse_length;
     x *= inverse_length, y *= inverse_length, z *= inverse_length;
