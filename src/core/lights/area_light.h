@@ -27,12 +27,10 @@ struct alignas(64) AreaLight {
 
   Vec3f middle() const { return vertex + (edge1 + edge2) * (parallelogram ? 0.5f : 1.0f / 3.0f); }
 
-  /// Squared length that sizes are measured by [m²].
-  float extent2() const { return std::max(dot(edge1, edge1), dot(edge2, edge2)); }
-
   /// Squared distance of the middle, in extents, beyond which solid angle and area are sampled alike.
   static constexpr float kFar2 = 3.0f;
-  /// Squared height above the plane, likewise, below which the solid angle is lost in rounding.
+  /// Squared height above the plane, likewise, below which the solid angle is lost in rounding; as it is
+  /// where the height itself may be nothing but rounding.
   static constexpr float kTouching2 = 1e-11f;
 
   /// How far the plane lies in front of a point, along the normal: negative in front of the light [m].

@@ -1,6 +1,7 @@
 #include "core/lights/area_light_lanes.h"
 
 namespace photopic {
+
 AreaLightLanes::AreaLightLanes(const AreaLight& light)
     : vertex(to_lanes(light.vertex)),
       edge1(to_lanes(light.edge1)),
@@ -38,7 +39,7 @@ IntLanes AreaLightLanes::sample(const Vec3Lanes& from, const Sample2dLanes& u, L
   s.distance = sqrt(distance2);
   s.direction = to_point * (1.0f / s.distance);
   s.pdf = distance2 * s.distance / (abs(h) * area);
-  const Lanes away = max(error, kPositionError * max_abs(from));
+  const Lanes away = max(error, kPositionError * max_abs(from));  // AreaLight::rounding
   s.end = from + to_point + normal * select(h < 0.0f, away, -away);
   s.delta = s.environment = IntLanes{};
   s.material = material;
