@@ -2,14 +2,13 @@
 
 #include <tbb/parallel_for.h>
 
+#include "core/albedo_axes.h"
 #include "core/fresnel.h"
-#include "core/microfacet.h"
-#include "core/table_position.h"
 
 namespace photopic {
 namespace {
 
-constexpr int kCosines = 64;  ///< in √cos θ: total reflection has a sharp edge at grazing angles
+constexpr int kCosines = 64;
 
 float node(GlassAlbedo::Range range, int i, int count) {
   if (count == 1) return range.low;
@@ -53,7 +52,7 @@ GlassAlbedo::GlassAlbedo(Range ior, Range roughness)
     const int r = i % roughnesses_, n = i / roughnesses_;
     const float alpha_root = node(roughness_, r, roughnesses_), eta = node(ior_, n, iors_);
     for (int c = 0; c < kCosines; ++c) {
-      const float cos_theta = sqr(std::max(static_cast<float>(c) / (kCosines - 1), 1e-2f));
+      const float cos_theta = albedo_cosine(c, kCosines);
       share_[entry(n, r, false, c)] = integrate(cos_theta, alpha_root, eta);
       share_[entry(n, r, true, c)] = integrate(cos_theta, alpha_root, 1.0f / eta);
     }
@@ -65,7 +64,7 @@ std::size_t GlassAlbedo::entry(int ior, int roughness, bool inside, int cosine) 
 }
 
 float GlassAlbedo::row(int ior, int roughness, bool inside, float cos_theta) const {
-  const auto c = locate(safe_sqrt(cos_theta), kCosines);
+  const auto c = locate_cosine(cos_theta, kCosines);
   return c.weight(0) * share_[entry(ior, roughness, inside, c.cell)] +
          c.weight(1) * share_[entry(ior, roughness, inside, c.cell + 1)];
 }

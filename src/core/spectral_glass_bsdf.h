@@ -96,7 +96,7 @@ class SpectralGlassBsdf {
   }
 
   float kept(const ShadingMaterial<N>& m, float ior) const {
-    if (!solid_) return GgxAlbedo::table().directional(wo_.z, m.roughness()).total();
+    if (!solid_) return 1.0f - GgxAlbedo::table().directional(wo_.z, m.roughness()).missing;
     const auto& albedo = m.surface().glass_albedo;  // none where no wavelength is refracted
     return albedo ? (*albedo)(wo_.z, m.roughness(), ior, side_ < 0.0f) : 1.0f;
   }
