@@ -22,12 +22,11 @@ TablePosition place(GlassAlbedo::Range range, float x, int count) {
 
 // Visible-normal sampling leaves F·G2/G1 of the reflected and (1 − F)·G2/G1 of the refracted direction to
 // average; steep normals, where light is lost, are drawn more often.
-float integrate(float cos_theta, float roughness, float eta) {
-  constexpr std::uint32_t kSamples = 1024;
+float integrate(float cos_theta, float roughness, float eta, std::uint32_t samples) {
   const Ggx ggx{std::max(sqr(roughness), 1e-4f)};
   const Vec3f wo{safe_sqrt(1.0f - sqr(cos_theta)), 0.0f, cos_theta};
   float sum = 0.0f;
-  for (std::uint32_t i = 0; i < kSamples; ++i) {
+  for (std::uint32_t i = 0; i < samples; ++i) {
     const Sample2d u = SampleStream(Sequence::sobol, 0, 0, i).get_2d(0);
     const Vec3f m = ggx.sample_visible(wo, {u.x, 1.0f - sqr(u.y)});
     const float cos_i = dot(wo, m), f = fresnel_dielectric(cos_i, eta);
@@ -37,7 +36,7 @@ float integrate(float cos_theta, float roughness, float eta) {
     const Vec3f down = refract(wo, m, eta);
     if (down.z < 0.0f) sum += 2.0f * u.y * (1.0f - f) * ggx.g2(wo, down);
   }
-  return sum / (kSamples * ggx.g1(wo));
+  return sum / (static_cast<float>(samples) * ggx.g1(wo));
 }
 
 }  // namespace
@@ -48,13 +47,14 @@ GlassAlbedo::GlassAlbedo(Range ior, Range roughness)
       iors_(ior.low == ior.high ? 1 : 5),
       roughnesses_(roughness.low == roughness.high ? 1 : 24),
       share_(entry(iors_, 0, false, 0)) {
+  const std::uint32_t samples = roughnesses_ == 1 ? 4096 : 1024;
   tbb::parallel_for(0, iors_ * roughnesses_, [&](int i) {
     const int r = i % roughnesses_, n = i / roughnesses_;
     const float alpha_root = node(roughness_, r, roughnesses_), eta = node(ior_, n, iors_);
     for (int c = 0; c < kCosines; ++c) {
       const float cos_theta = albedo_cosine(c, kCosines);
-      share_[entry(n, r, false, c)] = integrate(cos_theta, alpha_root, eta);
-      share_[entry(n, r, true, c)] = integrate(cos_theta, alpha_root, 1.0f / eta);
+      share_[entry(n, r, false, c)] = integrate(cos_theta, alpha_root, eta, samples);
+      share_[entry(n, r, true, c)] = integrate(cos_theta, alpha_root, 1.0f / eta, samples);
     }
   });
 }

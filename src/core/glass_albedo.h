@@ -14,7 +14,8 @@ class GlassAlbedo {
     float low, high;
   };
 
-  /// Integrates the table: about 10 ms for one index and one roughness, twentyfold for a range of either.
+  /// Integrates the table: about 30 ms for one index and one roughness, five- to tenfold for a range of
+  /// either.
   /// @param ior of the glass, over that of what is outside; > 1 @param roughness √α, in [0, 1]
   GlassAlbedo(Range ior, Range roughness);
 

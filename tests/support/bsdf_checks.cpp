@@ -198,4 +198,35 @@ Estimate sampled_albedo(const LocalBsdf& bsdf, Vec3f wo, int samples, bool scale
   return albedo.estimate();
 }
 
+Furnace furnace(const LocalBsdf& bsdf, Vec3f wo, double ior) {
+  constexpr std::uint32_t kShifts = 8;
+  constexpr int kFewest = 512, kMost = 1 << 14;
+  constexpr double kError = 0.00125;
+  // The plastic number's powers: Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences".
+  constexpr std::array<double, 3> kStep{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
+  const double crossing = wo.z > 0.0f ? ior * ior : 1.0 / (ior * ior);
+  std::array<double, kShifts> sums{};
+  RunningMean weights;
+  Furnace result{{0.0, 1.0}, 0.0, 0.0};
+  for (int i = 0, end = kFewest; end <= kMost && result.albedo.error > kError; end *= 2) {
+    for (; i < end; ++i)
+      for (std::uint32_t shift = 0; shift < kShifts; ++shift) {
+        const SampleStream start(Sequence::independent, 3, 0, shift);
+        const auto u = [&](int dimension) {
+          const double x = start.get_1d(dimension) + i * kStep[static_cast<std::size_t>(dimension)];
+          return std::min(static_cast<float>(x - std::floor(x)), 0x1.fffffep-1f);
+        };
+        const auto s = bsdf.sample(wo, u(0), {u(1), u(2)});
+        const double weight = s ? s->weight * (s->wi.z * wo.z < 0.0f ? crossing : 1.0) : 0.0;
+        sums[shift] += weight, weights.add(weight);
+        result.largest = std::max(result.largest, weight);
+      }
+    RunningMean means;
+    for (const double sum : sums) means.add(sum / end);
+    result.albedo = means.estimate();
+    result.variance = weights.estimate().error * weights.estimate().error * kShifts * end;
+  }
+  return result;
+}
+
 }  // namespace photopic::test
