@@ -4,11 +4,12 @@
 import math
 import pathlib
 
-from gltf_writer import Scene, lambert, lamp
+from gltf_writer import Scene, lambert, lamp, png, turned
+from patterns import wood
 from shapes import box, sphere, torus
 
 FOLDER = pathlib.Path(__file__).parent / "glass-and-metal"
-LUMINANCE = 8  # of the panel [cd/m2]; exposes the picture well at 0 EV
+LUMINANCE = 4.5  # of the panel [cd/m2]; exposes the picture well at 0 EV
 
 
 def glass(name, roughness, thickness, color, distance):
@@ -36,11 +37,14 @@ def add_room(scene):
     front_wall = [(wide, 0, front), (-wide, 0, front), (-wide, high, front), (wide, high, front)]
     left = [(-wide, 0, front), (-wide, 0, back), (-wide, high, back), (-wide, high, front)]
     right = [(wide, 0, back), (wide, 0, front), (wide, high, front), (wide, high, back)]
-    scene.quads("table", scene.material(lambert("table", (0.5, 0.46, 0.42))), [floor])
+    image = png(512, 512, lambda x, y: wood((x + 0.5) / 512, (y + 0.5) / 512, light=(0.66, 0.52, 0.40), dark=(0.42, 0.30, 0.22)))
+    table = scene.material({"name": "table", "pbrMetallicRoughness": {
+        "baseColorTexture": scene.texture(image), "metallicFactor": 0, "roughnessFactor": 0.5}})
+    scene.quads("table", table, [floor], tile=1.3)
     scene.quads("walls", scene.material(lambert("plaster", (0.75, 0.74, 0.70))), [ceiling, back_wall, front_wall])
     scene.quads("left", scene.material(lambert("terracotta", (0.62, 0.22, 0.12))), [left])
     scene.quads("right", scene.material(lambert("blue", (0.12, 0.24, 0.50))), [right])
-    panel = [(-0.7, high - 0.01, -0.5), (0.7, high - 0.01, -0.5), (0.7, high - 0.01, 0.9), (-0.7, high - 0.01, 0.9)]
+    panel = [(-1.1, high - 0.01, -0.7), (1.1, high - 0.01, -0.7), (1.1, high - 0.01, 1.1), (-1.1, high - 0.01, 1.1)]
     scene.quads("panel", scene.material(lamp("panel", 0.8, LUMINANCE, "cie:FL11")), [panel])
 
 
@@ -53,15 +57,14 @@ def add_objects(scene):
     scene.mesh("silver ball", silver, positions, triangles, normals, translation=[0.75, lift * 1.28, -0.45], scale=[1.27] * 3)
 
     positions, triangles, normals = torus(0.36, 0.13)
-    gold = scene.material(metal("gold", (1.0, 0.766, 0.336), 0.3))
-    tilt = math.radians(62)
+    gold = scene.material({"name": "gold", "extras": {"conductor": "Au"},
+                           "pbrMetallicRoughness": {"metallicFactor": 1, "roughnessFactor": 0.3}})
     scene.mesh("gold ring", gold, positions, triangles, normals, translation=[-0.85, 0.4485, -0.55],
-               rotation=[math.sin(tilt / 2), 0, 0, math.cos(tilt / 2)])
+               rotation=turned((1, 0, 0), 62))
 
-    frosted = scene.material(glass("frosted glass", 0.35, 0.4, (0.95, 0.75, 0.55), 0.5))
-    turn = math.radians(28)
+    frosted = scene.material(glass("frosted glass", 0.3, 0.4, (0.95, 0.75, 0.55), 0.5))
     scene.quads("frosted block", frosted, box(0.2, 0.2, 0.2), translation=[0.62, 0.201, 0.55],
-                rotation=[0, math.sin(turn / 2), 0, math.cos(turn / 2)])
+                rotation=turned((0, 1, 0), 28))
 
 
 def main():
@@ -69,8 +72,7 @@ def main():
     scene = Scene("Photopic's authors")
     add_room(scene)
     add_objects(scene)
-    pitch = math.radians(-15.5)
-    scene.camera(math.radians(31), [320, 240], translation=[0, 1.15, 3.35], rotation=[math.sin(pitch / 2), 0, 0, math.cos(pitch / 2)])
+    scene.camera(math.radians(31), [400, 300], translation=[0, 1.15, 3.35], rotation=turned((1, 0, 0), -15.5))
     scene.write_glb(FOLDER / "scene.glb")
 
 

@@ -14,6 +14,18 @@ def subtract(a, b):
     return tuple(x - y for x, y in zip(a, b))
 
 
+def turned(axis, degrees):
+    """The rotation about a unit axis, as glTF's quaternion."""
+    half = math.radians(degrees) / 2
+    return [*(math.sin(half) * x for x in axis), math.cos(half)]
+
+
+def product(p, q):
+    """The rotation q, then p."""
+    (a, b, c, d), (e, f, g, h) = p, q
+    return [d * e + a * h + b * g - c * f, d * f - a * g + b * h + c * e, d * g + a * f - b * e + c * h, d * h - a * e - b * f - c * g]
+
+
 def tiled(quad, tile):
     """Texture coordinates of a rectangle's corners."""
     width, height = (math.dist(quad[0], quad[i]) / tile for i in (1, 3))
@@ -43,6 +55,20 @@ def png(width, height, pixel):
     chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b"")
+
+
+def hdr(width, height, radiance):
+    """A Radiance picture of all directions, in latitude and longitude: its middle in direction −z, its upper edge +y; +x lies right
+    of the middle. radiance(unit direction) gives three numbers in linear sRGB, not negative."""
+    pixels = bytearray()
+    for row in range(height):
+        theta = math.pi * (row + 0.5) / height
+        for column in range(width):
+            phi = 2 * math.pi * ((column + 0.5) / width - 0.5)
+            rgb = radiance((math.sin(theta) * math.sin(phi), math.cos(theta), -math.sin(theta) * math.cos(phi)))
+            exponent = math.frexp(max(rgb))[1] if max(rgb) > 1e-32 else -128
+            pixels += bytes([*(min(255, int(256 * c / 2.0**exponent)) for c in rgb), exponent + 128])
+    return f"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {height} +X {width}\n".encode() + pixels
 
 
 class Scene:

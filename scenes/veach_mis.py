@@ -9,15 +9,15 @@ are CIE FL1, FL2, FL11 and FL12.
 import math
 import pathlib
 
-from gltf_writer import Scene, lambert, lamp
+from gltf_writer import Scene, lambert, lamp, turned
 from shapes import sphere
 
 FOLDER = pathlib.Path(__file__).parent / "veach-mis"
-EYE, LAMPS_AT = (0, 3.0, 14), (0, 3.6, -2.5)  # the camera, the middle of the row of lamps
-PLATES = [(0.05, -1.4, 3.8), (0.12, -1.2, 2.2), (0.25, -0.8, 0.8), (0.45, -0.2, -0.4)]  # roughness, height, place along z
-PLATE_WIDTH, PLATE_DEPTH = 7.0, 0.9
+EYE, LAMPS_AT = (0, 3.0, 14), (0, 3.5, -2.5)  # the camera, the middle of the row of lamps
+PLATES = [(0.05, -1.3, 4.0), (0.12, -1.0, 2.2), (0.25, -0.4, 0.5), (0.45, 0.5, -0.9)]  # roughness, height, place along z
+PLATE_WIDTH, PLATE_DEPTH = 7.4, 1.25
 LAMPS = [("cie:FL1", 0.9, -3.6), ("cie:FL2", 0.3, -1.2), ("cie:FL11", 0.1, 0.9), ("cie:FL12", 0.033, 2.7)]  # radius, x
-POWER = 2.4  # luminance times squared radius, of each lamp [cd]
+POWER = 3  # luminance times squared radius, of each lamp [cd]
 
 
 def unit(v):
@@ -58,8 +58,7 @@ def main():
         material = scene.material(lamp(f"lamp {spectrum}", 0, POWER / radius ** 2, spectrum))
         scene.mesh(f"lamp {spectrum}", material, positions, triangles, normals, translation=[x, *LAMPS_AT[1:]])
 
-    pitch = math.radians(-10.5)
-    scene.camera(math.radians(30), [480, 270], translation=list(EYE), rotation=[math.sin(pitch / 2), 0, 0, math.cos(pitch / 2)])
+    scene.camera(math.radians(32), [480, 270], translation=list(EYE), rotation=turned((1, 0, 0), -10.5))
     scene.write_glb(FOLDER / "scene.glb")
 
 

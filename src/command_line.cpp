@@ -41,6 +41,10 @@ const CLI::Validator kSeconds = number_between(1e-3, 1e9), kDeltaE = number_betw
 void bind_scene_file(CLI::App& command, SceneArguments& a) {
   command.add_option("SCENE", a.scene, "A glTF 2.0 file, .gltf or .glb")->required()->type_name("");
   bind_lights(command, a);
+  command.add_flag(
+      "--solid-glass", a.solid_glass,
+      "Closed meshes that transmit are solid and refract even without KHR_materials_volume, which "
+      "Blender does not write. Materials may say so by extras: {\"solid\": true}");
   command.add_option("--resolution", a.resolution, "Size of the image [pixels]; the camera's if not given")
       ->type_name("WxH");
   command

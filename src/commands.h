@@ -25,6 +25,7 @@ struct SceneArguments {
   double environment_rotation = 0.0;  ///< about +y [degrees]
   double environment_strength = 1.0;
   double punctual_scale = 1.0;  ///< factor on the intensities of punctual lights
+  bool solid_glass = false;     ///< closed meshes that transmit are solid
   std::string resolution;       ///< "WxH" [pixels]; empty: the camera's
 
   int spp = 64;                        ///< samples per pixel, at most

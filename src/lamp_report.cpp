@@ -67,11 +67,12 @@ void add_surfaces(const Scene& scene, LampList& lamps) {
   const std::vector<Surface> surfaces(scene.materials.begin(), scene.materials.end());
   std::vector<Sum> sums(scene.materials.size());
   const AreaLights lights(scene, surfaces);
-  for (const AreaLight& light : lights.list()) {
+  for (std::uint32_t i = 0; i < lights.list().size(); ++i) {
+    const AreaLight& light = lights.list()[i];
     Sum& sum = sums[light.material];
     sum.area += light.area;
-    sum.luminance_area += static_cast<double>(light.mean_luminance) * light.area;
-    sum.flux += light.power();
+    sum.luminance_area += static_cast<double>(lights.mean_luminance(i)) * light.area;
+    sum.flux += lights.power(i);
   }
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const Material& m = scene.materials[i];

@@ -41,7 +41,7 @@ std::string kind_of(const Material& m) {
   if (m.unlit) return "unlit";
   if (m.extensions.conductor) return "metal, measured";
   const double glass = m.transmission * (1.0 - m.metallic);
-  const std::string clear = m.thin_walled ? "thin glass" : "glass";
+  const std::string clear = m.thin_walled ? "thin glass" : "solid glass";
   if (glass >= 1.0) return clear;
   const Surface surface(m);
   const std::string opaque = surface.opaque_kind == BsdfKind::diffuse ? "diffuse"
@@ -61,6 +61,7 @@ Json parameters_of(const Material& m) {
   add("specular", m.specular, 1.0f);
   add("transmission", m.transmission, 0.0f);
   add("attenuation_distance", m.attenuation_distance, 0.0f);
+  add("priority", static_cast<float>(m.priority), 0.0f);
   const MaterialExtensions& x = m.extensions;
   if (x.dispersion && is_dispersive(*x.dispersion)) json["abbe_number"] = abbe_number(*x.dispersion);
   add("clearcoat", x.clearcoat, 0.0f);

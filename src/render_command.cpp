@@ -63,12 +63,15 @@ void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
   fmt::print("scene:    {} triangles, {} shapes, {} materials; lamps: {}\n", scene.geometry.triangles.size(),
              scene.geometry.shapes.size(), scene.materials.size(), fmt::join(scene.emission_names, ", "));
   fmt::print("samples:  {}, {:.4g} a pixel, of {} wavelengths each; {} not finite\n", run.stats.paths,
-             run.mean_spp, run.wavelengths, run.stats.non_finite);
+             run.mean_spp, run.wavelengths, format_non_finite(run.stats));
   if (run.stats.expected_delta_e)
     fmt::print("error:    a mean ΔE of {:.3g} is expected\n", *run.stats.expected_delta_e);
   if (run.stats.split_paths > 0)
     fmt::print("dispersion: {:.2f} % of the samples went on with one wavelength\n",
                100.0 * static_cast<double>(run.stats.split_paths) / paths);
+  if (run.stats.media_overflows > 0)
+    fmt::print("media:    {} paths were in more than 8 glasses at once; the outermost were forgotten\n",
+               run.stats.media_overflows);
   fmt::print("rays:     {:.2f} + {:.2f} shadow rays a sample\n", static_cast<double>(run.stats.rays) / paths,
              static_cast<double>(run.stats.shadow_rays) / paths);
   fmt::print("speed:    {:.3f} M samples/s, {:.3f} M rays/s\n", run.samples_per_second() * 1e-6,

@@ -9,6 +9,16 @@
 #include "error.h"
 
 namespace photopic {
+namespace {
+
+/// @param f takes the name and the count of each cause that occurred
+template <typename F>
+void for_each_cause(const NonFiniteCounts& counts, F f) {
+  for (std::size_t i = 0; i < kNonFiniteCauses; ++i)
+    if (counts.of[i] > 0) f(kNonFiniteCauseNames[i], counts.of[i]);
+}
+
+}  // namespace
 
 Run make_run(const std::string& sampler, int spp, int wavelengths, std::uint32_t seed,
              const RenderResult& result) {
@@ -44,6 +54,10 @@ nlohmann::ordered_json run_json(const Run& run) {
   const auto& expected = run.stats.expected_delta_e;
   json["expected_mean_delta_e"] = expected ? nlohmann::ordered_json(*expected) : nlohmann::ordered_json();
   json["non_finite_samples"] = run.stats.non_finite;
+  json["non_finite_causes"] = nlohmann::ordered_json::object();
+  for_each_cause(run.stats.non_finite_causes, [&](std::string_view cause, std::uint64_t count) {
+    json["non_finite_causes"][std::string(cause)] = count;
+  });
   json["split_samples"] = run.stats.split_paths;
   json["optimize_seconds"] = run.optimize_seconds;
   json["mean_xyz"] = {run.mean.x, run.mean.y, run.mean.z};
@@ -65,6 +79,14 @@ void add_metrics(nlohmann::ordered_json& json, const std::optional<ImageDifferen
   field("relmse", &ImageDifference::relmse);
   json["non_finite_pixels"] =
       metrics ? nlohmann::ordered_json(metrics->non_finite) : nlohmann::ordered_json();
+}
+
+std::string format_non_finite(const RenderStats& stats) {
+  std::string causes;
+  for_each_cause(stats.non_finite_causes, [&](std::string_view cause, std::uint64_t count) {
+    causes += fmt::format("{}{} {}", causes.empty() ? "" : ", ", cause, count);
+  });
+  return fmt::format("{}{}", stats.non_finite, causes.empty() ? "" : " (" + causes + ")");
 }
 
 std::string format_means(const Run& run) {

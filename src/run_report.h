@@ -45,6 +45,9 @@ nlohmann::ordered_json run_json(const Run& run);
 /// The fields of run_json that metrics fill.
 void add_metrics(nlohmann::ordered_json& json, const std::optional<ImageDifference>& metrics);
 
+/// "3 (camera 1, emission 2)", or "0".
+std::string format_non_finite(const RenderStats& stats);
+
 /// XYZ means with their standard errors, one line.
 std::string format_means(const Run& run);
 

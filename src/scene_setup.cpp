@@ -61,6 +61,7 @@ GltfOptions gltf_options(const SceneArguments& arguments) {
   for (const std::string& text : arguments.emitters) options.emitters.push_back(parse_emitter(text));
   options.camera = arguments.camera;
   options.punctual_scale = arguments.punctual_scale;
+  options.solid_glass = arguments.solid_glass;
   options.environment = {arguments.environment, arguments.environment_rotation,
                          arguments.environment_strength};
   if (!arguments.resolution.empty()) parse_resolution(arguments.resolution, options);
@@ -107,8 +108,8 @@ RenderResult render_with_progress(const std::string& label, const PreparedScene&
     return render(scene, sampler, render_options(arguments, spp, seed, &progress));
   }();
   if (result.stats.non_finite > 0)
-    print_warning(fmt::format("{}: {} of {} samples were not finite and are left out of the image", label,
-                              result.stats.non_finite, result.stats.paths));
+    print_warning(fmt::format("{}: of {} samples, those not finite are left out of the image: {}", label,
+                              result.stats.paths, format_non_finite(result.stats)));
   return result;
 }
 

@@ -60,7 +60,7 @@ void load(const RayArray& rays, std::span<const std::uint32_t> slots, RTCRay16& 
     packet.time[i] = 0.0f;
     packet.mask[i] = ~0u;
     packet.flags[i] = 0;
-    valid[i] = -1;
+    valid[i] = is_finite(Ray{o, d}) ? -1 : 0;
   }
 }
 
@@ -234,12 +234,14 @@ Hit Accel::make_hit(std::uint32_t geometry, std::uint32_t primitive, std::uint32
 }
 
 Hit Accel::intersect(const Ray& ray) const {
+  if (!is_finite(ray)) return {};
   const auto [found, hit] =
       handles_->intersect(make_ray(ray.origin, ray.direction, std::numeric_limits<float>::infinity()));
   return make_hit(hit.geomID, hit.primID, hit.instID[0], hit.u, hit.v, found.tfar);
 }
 
 bool Accel::occluded(const Ray& ray, float t_max) const {
+  if (!is_finite(ray)) return false;
   return handles_->occluded(make_ray(ray.origin, ray.direction, t_max));
 }
 

@@ -16,6 +16,9 @@ struct Vec3Array {
   explicit Vec3Array(std::size_t size) : x(size), y(size), z(size) {}
   Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
   void set(std::size_t i, Vec3f v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+  Vec3Lanes gather(const Packet& p) const {
+    return {photopic::gather(x.data(), p), photopic::gather(y.data(), p), photopic::gather(z.data(), p)};
+  }
 };
 
 /// Rays that stand in slots; t counts in lengths of the direction.
@@ -51,7 +54,8 @@ class Accel {
   Accel(Accel&&) noexcept;
   Accel& operator=(Accel&&) noexcept;
 
-  /// The nearest hit with 0 < t of the rays in the given slots.
+  /// The nearest hit with 0 < t of the rays in the given slots. What is not finite hits nothing, here and
+  /// below.
   void intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits) const;
 
   /// Whether something lies at 0 < t < t_max, 1 or 0 a slot.

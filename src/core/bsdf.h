@@ -45,7 +45,10 @@ struct DiffuseBsdf {
   }
 
   std::optional<BsdfSample<N>> sample(float, Sample2d u) const {
-    const Vec3f wi = sample_cosine_hemisphere(u);
+    return sample_towards(sample_cosine_hemisphere(u));
+  }
+  /// @param wi of sample_cosine_hemisphere()
+  std::optional<BsdfSample<N>> sample_towards(Vec3f wi) const {
     if (wi.z <= 0.0f) return {};
     return BsdfSample<N>{wi, albedo, cosine_hemisphere_pdf(wi.z), false};
   }

@@ -11,6 +11,12 @@ struct Ray {
   Vec3f direction;
 };
 
+/// Embree takes no others.
+inline bool is_finite(const Ray& ray) {
+  return std::isfinite(ray.origin.x + ray.origin.y + ray.origin.z + ray.direction.x + ray.direction.y +
+                       ray.direction.z);
+}
+
 /// glTF's cameras: look down −z, +y up, square pixels; perspective or orthographic, with a pinhole or a thin
 /// lens (Pharr et al. 2023, section 5.2.3).
 struct Camera {

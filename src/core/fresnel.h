@@ -18,6 +18,28 @@ inline float fresnel_dielectric(float cos_i, float eta) {
   return 0.5f * (sqr(parallel) + sqr(perpendicular));
 }
 
+/// Schlick's (1 − cos θ)⁵.
+inline float schlick_weight(float cos_theta) {
+  const float x = std::clamp(1.0f - cos_theta, 0.0f, 1.0f);
+  return sqr(sqr(x)) * x;
+}
+
+/// KHR_materials_specular's factors on a dielectric interface's reflectance, Schlick's blend between them. It
+/// goes by the angle in the thinner medium, so that both directions of one ray have the same. Total
+/// reflection stays what it is. @param eta n_t/n_i
+struct SpecularScale {
+  float at_normal = 1.0f, at_grazing = 1.0f;
+
+  float scaled(float reflectance, float cos_i, float eta) const {
+    if (reflectance >= 1.0f) return 1.0f;
+    if (at_normal == at_grazing) return reflectance * at_normal;
+    return reflectance * (at_normal + (at_grazing - at_normal) * schlick_weight(thin_cosine(cos_i, eta)));
+  }
+  static float thin_cosine(float cos_i, float eta) {
+    return eta >= 1.0f ? cos_i : safe_sqrt(1.0f - (1.0f - sqr(cos_i)) / sqr(eta));
+  }
+};
+
 /// A metal's surface. @param n, k of the metal over those of the (transparent) medium outside
 inline float fresnel_conductor(float cos_i, float n, float k) {
   const float cos2 = sqr(cos_i), sin2 = 1.0f - cos2;
@@ -81,11 +103,5 @@ struct ThinFilm {
     return ((first + returning) / (Complex{1.0f} + first * returning)).norm();
   }
 };
-
-/// Schlick's (1 − cos θ)⁵.
-inline float schlick_weight(float cos_theta) {
-  const float x = std::clamp(1.0f - cos_theta, 0.0f, 1.0f);
-  return sqr(sqr(x)) * x;
-}
 
 }  // namespace photopic

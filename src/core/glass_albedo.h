@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
+
+#include "core/fresnel.h"
 
 namespace photopic {
 
@@ -14,22 +17,32 @@ class GlassAlbedo {
     float low, high;
   };
 
-  /// Integrates the table: about 30 ms for one index and one roughness, five- to tenfold for a range of
-  /// either.
-  /// @param ior of the glass, over that of what is outside; > 1 @param roughness √α, in [0, 1]
-  GlassAlbedo(Range ior, Range roughness);
+  /// Integrates the table: 10 to 40 ms for each index and roughness, of which a range has 24.
+  /// @param iors ratios of the denser medium's index to the other's, rising, > 1; exact there, interpolated
+  /// between @param roughness √α, in [0, 1]
+  GlassAlbedo(std::vector<float> iors, Range roughness);
 
-  /// @param cos_theta of the viewer to the normal on his side, in [0, 1] @param inside whether he is in the
-  /// glass
-  float operator()(float cos_theta, float roughness, float ior, bool inside) const;
+  /// @param cos_theta of the viewer to the normal on his side, in [0, 1] @param eta η_t/η_i as he sees it
+  float operator()(float cos_theta, float roughness, float eta, SpecularScale specular = {}) const;
 
  private:
-  std::size_t entry(int ior, int roughness, bool inside, int cosine) const;
-  float row(int ior, int roughness, bool inside, float cos_theta) const;
+  /// The share, and what it gains when all that is reflected, though it might pass, passes instead: plainly,
+  /// and weighed with Schlick's weight.
+  struct Share {
+    float total = 0.0f, exchanged = 0.0f, exchanged_grazing = 0.0f;
 
-  Range ior_, roughness_;
-  int iors_, roughnesses_;  ///< numbers of nodes, equally far apart
-  std::vector<float> share_;
+    float of(SpecularScale s) const {
+      return total + (1.0f - s.at_normal) * exchanged + (s.at_normal - s.at_grazing) * exchanged_grazing;
+    }
+  };
+  static Share integrate(float cos_theta, float roughness, float eta, std::uint32_t samples);
+  std::size_t entry(std::size_t ior, int roughness, bool inside, int cosine) const;
+  float row(std::size_t ior, int roughness, bool inside, float cos_theta, SpecularScale specular) const;
+
+  std::vector<float> iors_;
+  Range roughness_;
+  int roughnesses_;  ///< number of nodes, equally far apart
+  std::vector<Share> share_;
 };
 
 }  // namespace photopic

@@ -22,9 +22,10 @@ class GlassBsdf {
       : side_(wo.z < 0.0f ? -1.0f : 1.0f),
         wo_{wo.x, wo.y, wo.z * side_},
         ggx_{sqr(m.roughness())},
-        ior_(m.surface().ior),
         solid_(m.surface().solid),
+        ior_(solid_ ? m.surface().ior / m.outside_index(m.lambda()[0]) : m.surface().ior),
         eta_(!solid_ || side_ > 0.0f ? ior_ : 1.0f / ior_),
+        specular_{m.specular(), m.specular()},
         tint_(m.base_color()) {
     if (!smooth() && wo_.z > 0.0f) g1_ = ggx_.g1(wo_), gain_ = 1.0f / kept(m);
   }
@@ -71,19 +72,19 @@ class GlassBsdf {
 
  private:
   bool smooth() const {
-    return ggx_.alpha < kSmoothAlpha || (solid_ && ior_ != 0.0f && ior_ < kLeastRoughIor);
+    return ggx_.alpha < kSmoothAlpha || (solid_ && ior_ != 0.0f && is_index_matched(ior_));
   }
 
   float reflectance(float cos_i) const {
     if (ior_ == 0.0f) return 1.0f;
-    const float f = fresnel_dielectric(cos_i, eta_);
+    const float f = specular_.scaled(fresnel_dielectric(cos_i, eta_), cos_i, eta_);
     return solid_ ? f : 2.0f * f / (1.0f + f);
   }
 
   /// The share that one bounce keeps; what passes a thin wall keeps what reflection does.
   float kept(const ShadingMaterial<N>& m) const {
     if (!solid_ || ior_ == 0.0f) return 1.0f - GgxAlbedo::table().directional(wo_.z, m.roughness()).missing;
-    return (*m.surface().glass_albedo)(wo_.z, m.roughness(), ior_, side_ < 0.0f);
+    return (*m.surface().glass_albedo)(wo_.z, m.roughness(), eta_, specular_);
   }
 
   /// Of normals seen from wo: Ggx::visible_pdf.
@@ -116,9 +117,10 @@ class GlassBsdf {
   float side_;  ///< −1 where wo is below; all else is mirrored to have it above
   Vec3f wo_;
   Ggx ggx_;
-  float ior_;
   bool solid_;
+  float ior_;  ///< of the glass, over that of the medium in front of it
   float eta_;  ///< η_t/η_i
+  SpecularScale specular_;
   SampledSpectrum<N> tint_;
   float g1_ = 1.0f;    ///< of wo
   float gain_ = 1.0f;  ///< 1/(share that one bounce keeps)

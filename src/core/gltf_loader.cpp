@@ -12,6 +12,7 @@
 #include "core/gltf/material.h"
 #include "core/gltf/nodes.h"
 #include "core/gltf/rules.h"
+#include "core/gltf/solid_glass.h"
 #include "core/gltf/texture.h"
 #include "error.h"
 
@@ -45,6 +46,7 @@ Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, cons
   const std::vector<NodeInstance> instances = walk_nodes(document, scene.warnings);
   warn_of_ignored(document, scene.warnings);
   load_gltf_materials(document, scene);
+  if (options.solid_glass) make_closed_glass_solid(document, instances, scene);
   load_gltf_geometry(document, instances, scene);
   load_gltf_textures(document, scene);
   GltfEmissions emissions(document, options.emitters, scene);

@@ -8,17 +8,22 @@ namespace photopic {
 
 /// KHR_materials_clearcoat over KHR_materials_sheen over a GlossyBase. Each layer receives what those above
 /// it do not reflect towards wo, by their directional albedo: no energy is gained or lost. As in glTF's own
-/// layering the share depends on wo alone, so coats are not reciprocal.
+/// layering the share depends on wo alone, so coats are not reciprocal. A coat with a normal of its own loses
+/// what it sends below the base's horizon.
 template <int N>
 class LayeredBsdf {
  public:
   static constexpr bool kTwoSided = true;
   static constexpr bool kLitFromBehind = true;
   static constexpr bool kHasGrain = true;  ///< the frame's s and t matter
+  static constexpr bool kHasCoat = true;   ///< which may have a normal of its own
 
-  LayeredBsdf(const ShadingMaterial<N>& m, Vec3f wo)
+  /// @param coat_normal unit, in the shading frame; where it turns away from wo the frame's own is taken
+  LayeredBsdf(const ShadingMaterial<N>& m, Vec3f wo, Vec3f coat_normal = {0, 0, 1})
       : wo_(wo), base_(m, wo), sheen_(m.sheen_roughness(), {0, 0, 0}) {
     if (wo.z <= 0.0f) return;
+    if (dot(coat_normal, wo) > 0.0f) coat_frame_ = Frame::about(coat_normal);
+    coat_wo_ = coat_frame_.to_local(wo);
     const MaterialExtensions& x = *m.surface().extensions;
     const float coat_roughness = m.clearcoat_roughness();
     coat_ = m.clearcoat(), coat_ggx_ = {sqr(coat_roughness)};
@@ -48,11 +53,12 @@ class LayeredBsdf {
       value.f_cos += sheen_color_ * (under_coat_ * sheen_.evaluate(wi));
       value.pdf += p_sheen_ * sheen_.pdf(wi);
     }
-    if (p_coat_ > 0.0f && !coat_is_smooth()) {
-      const Vec3f m = normalize(wo_ + wi);
-      const float d = coat_ggx_.d(m) / (4.0f * wo_.z);
-      value.f_cos += SampledSpectrum<N>(coat_fresnel(dot(wo_, m)) * d * coat_ggx_.g2(wo_, wi));
-      value.pdf += p_coat_ * d * coat_ggx_.g1(wo_);
+    if (const Vec3f coat_wi = coat_frame_.to_local(wi);
+        p_coat_ > 0.0f && !coat_is_smooth() && coat_wi.z > 0.0f) {
+      const Vec3f m = normalize(coat_wo_ + coat_wi);
+      const float d = coat_ggx_.d(m) / (4.0f * coat_wo_.z);
+      value.f_cos += SampledSpectrum<N>(coat_fresnel(dot(coat_wo_, m)) * d * coat_ggx_.g2(coat_wo_, coat_wi));
+      value.pdf += p_coat_ * d * coat_ggx_.g1(coat_wo_);
     }
     return value;
   }
@@ -62,11 +68,13 @@ class LayeredBsdf {
     Vec3f wi;
     if (u_lobe < p_coat_) {
       if (coat_is_smooth()) {
-        const SampledSpectrum<N> weight(coat_fresnel(wo_.z) / p_coat_);
-        return BsdfSample<N>{{-wo_.x, -wo_.y, wo_.z}, weight, 0.0f, true};
+        wi = coat_frame_.to_world({-coat_wo_.x, -coat_wo_.y, coat_wo_.z});
+        if (wi.z <= 0.0f) return {};
+        return BsdfSample<N>{wi, SampledSpectrum<N>(coat_fresnel(coat_wo_.z) / p_coat_), 0.0f, true};
       }
-      wi = reflect(wo_, coat_ggx_.sample_visible(wo_, u));
-      if (wi.z <= 0.0f) return {};
+      const Vec3f coat_wi = reflect(coat_wo_, coat_ggx_.sample_visible(coat_wo_, u));
+      wi = coat_frame_.to_world(coat_wi);
+      if (coat_wi.z <= 0.0f || wi.z <= 0.0f) return {};
     } else if (u_lobe < p_coat_ + p_sheen_) {
       wi = sheen_.sample(u);
       if (wi.z == 0.0f) return {};
@@ -92,8 +100,8 @@ class LayeredBsdf {
 
   bool coat_is_smooth() const { return coat_ggx_.alpha < kSmoothAlpha; }
   GgxAlbedo::Factors coat_factors(float roughness) const {
-    if (!coat_is_smooth()) return GgxAlbedo::table().directional(wo_.z, roughness);
-    const float w = schlick_weight(wo_.z);
+    if (!coat_is_smooth()) return GgxAlbedo::table().directional(coat_wo_.z, roughness);
+    const float w = schlick_weight(coat_wo_.z);
     return {0.0f, w};
   }
   float coat_fresnel(float cos_theta) const {
@@ -103,6 +111,8 @@ class LayeredBsdf {
 
   Vec3f wo_;
   GlossyBase<N> base_;
+  Frame coat_frame_{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< in the shading frame
+  Vec3f coat_wo_;
   float coat_ = 0.0f;
   Ggx coat_ggx_{0.0f};
   Sheen sheen_;

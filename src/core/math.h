@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/lanes.h"
+
 namespace photopic {
 
 inline constexpr float kPi = std::numbers::pi_v<float>;
@@ -11,7 +13,7 @@ inline constexpr float kInvPi = std::numbers::inv_pi_v<float>;
 
 template <typename T>
 struct Vec3 {
-  T x = 0, y = 0, z = 0;
+  T x{}, y{}, z{};
 
   friend Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -23,6 +25,7 @@ struct Vec3 {
 };
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
+using Vec3Lanes = Vec3<Lanes>;
 
 struct Vec2f {
   float x = 0, y = 0;
@@ -43,7 +46,7 @@ Vec3<T> cross(Vec3<T> a, Vec3<T> b) {
 }
 template <typename T>
 T length(Vec3<T> a) {
-  return std::sqrt(dot(a, a));
+  return sqrt(dot(a, a));
 }
 template <typename T>
 Vec3<T> normalize(Vec3<T> a) {
@@ -51,11 +54,26 @@ Vec3<T> normalize(Vec3<T> a) {
 }
 template <typename T>
 T max_abs(Vec3<T> a) {
-  return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
+  return max(max(abs(a.x), abs(a.y)), abs(a.z));
 }
 template <typename T>
 bool is_finite(Vec3<T> a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
+
+template <typename Mask, typename T>
+Vec3<T> select(Mask condition, Vec3<T> a, Vec3<T> b) {
+  return {select(condition, a.x, b.x), select(condition, a.y, b.y), select(condition, a.z, b.z)};
+}
+/// The same in all lanes.
+inline Vec3Lanes to_lanes(Vec3f v) {
+  return {Lanes{} + v.x, Lanes{} + v.y, Lanes{} + v.z};
+}
+inline Vec3f lane(const Vec3Lanes& v, int i) {
+  return {v.x[i], v.y[i], v.z[i]};
+}
+inline void set_lane(Vec3Lanes& v, int i, Vec3f a) {
+  v.x[i] = a.x, v.y[i] = a.y, v.z[i] = a.z;
 }
 
 inline Vec3f to_float(Vec3d a) {

@@ -9,8 +9,12 @@ namespace photopic {
 inline constexpr float kSmoothAlpha = 1e-3f;
 
 /// Refraction through a rough surface needs a half vector, which there is not without a change of index:
-/// below this ior light goes straight on.
+/// where the ratio of the two is below this, either way, light goes straight on.
 inline constexpr float kLeastRoughIor = 1.0001f;
+
+inline bool is_index_matched(float eta) {
+  return eta < kLeastRoughIor && eta * kLeastRoughIor > 1.0f;
+}
 
 /// The isotropic GGX distribution of microfacet normals (Walter et al. 2007), with visible-normal sampling.
 /// All directions in the shading frame, unit length.

@@ -52,18 +52,18 @@ std::optional<Tangent> texture_tangent(const Geometry& geometry, const Hit& hit,
 }  // namespace
 
 Vec3f mapped_normal(const Geometry& geometry, const Hit& hit, const SurfacePoint& point, Vec3f wo,
-                    const MaterialTextures& textures) {
+                    const Texture& texture, float scale) {
   const Vec3f n = point.shading_normal;
   auto tangent = given_tangent(geometry, hit);
-  if (!tangent) tangent = texture_tangent(geometry, hit, n, textures.normal);
+  if (!tangent) tangent = texture_tangent(geometry, hit, n, texture);
   if (!tangent) return n;
   const Vec3f t = tangent->t - n * dot(n, tangent->t);
   const float size = length(t);
   if (!(size > 0.0f)) return n;
 
-  const Vec4f texel = TrianglePoint(geometry, hit).look_up(textures.normal);
-  const float x = (2.0f * texel.x - 1.0f) * textures.normal_scale;
-  const float y = (2.0f * texel.y - 1.0f) * textures.normal_scale;
+  const Vec4f texel = TrianglePoint(geometry, hit).look_up(texture);
+  const float x = (2.0f * texel.x - 1.0f) * scale;
+  const float y = (2.0f * texel.y - 1.0f) * scale;
   const Vec3f mapped =
       t * (x / size) + cross(n, t) * (y * tangent->sign / size) + n * (2.0f * texel.z - 1.0f);
   const float squared = dot(mapped, mapped), side = dot(point.geometric_normal, wo);

@@ -4,6 +4,7 @@
 
 #include "core/ggx_albedo.h"
 #include "core/grain_albedo.h"
+#include "core/rough_glass.h"
 #include "core/sheen.h"
 #include "spectral/lamp_set.h"
 #include "spectral/rgb_light.h"
@@ -15,6 +16,7 @@ PreparedScene::PreparedScene(Scene source)
       surfaces(scene.materials.begin(), scene.materials.end()),
       accel(scene.geometry, surfaces),
       lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces) {
+  prepare_rough_glass(surfaces);
   // What is made when first asked for is made now, on nobody's clock.
   if (scene.environment) rgb_tints();
   const auto is_rough = [](const Surface& s) { return s.opaque_kind != BsdfKind::diffuse || s.transmits; };

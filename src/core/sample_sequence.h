@@ -2,12 +2,17 @@
 
 #include <cstdint>
 
+#include "core/lanes.h"
+
 namespace photopic {
 
 enum class Sequence { sobol, independent };
 
+// U is one std::uint32_t or UintLanes.
+
 /// Mixes all bits: Wellons' lowbias32 (nullprogram.com/blog/2018/07/31).
-inline std::uint32_t mix_bits(std::uint32_t x) {
+template <typename U>
+U mix_bits(U x) {
   x ^= x >> 16;
   x *= 0x7feb352du;
   x ^= x >> 15;
@@ -15,8 +20,17 @@ inline std::uint32_t mix_bits(std::uint32_t x) {
   return x ^ (x >> 16);
 }
 
-inline std::uint32_t reverse_bits(std::uint32_t x) {
-  x = __builtin_bswap32(x);
+inline std::uint32_t swap_bytes(std::uint32_t x) {
+  return __builtin_bswap32(x);
+}
+inline UintLanes swap_bytes(UintLanes x) {
+  x = (x << 16) | (x >> 16);
+  return ((x & 0x00ff00ffu) << 8) | ((x >> 8) & 0x00ff00ffu);
+}
+
+template <typename U>
+U reverse_bits(U x) {
+  x = swap_bytes(x);
   x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
   x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
   return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
@@ -25,7 +39,8 @@ inline std::uint32_t reverse_bits(std::uint32_t x) {
 /// Owen scrambling of a number whose bits stand reversed (a bit is flipped by a hash of those below it): the
 /// Laine–Karras hash (Laine, Karras 2011) with Vegdahl's constants (psychopath.io, "Building a Better LK
 /// Hash", 2021).
-inline std::uint32_t owen_scramble_reversed(std::uint32_t x, std::uint32_t seed) {
+template <typename U>
+U owen_scramble_reversed(U x, U seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
   x *= (seed >> 16) | 1u;
@@ -36,7 +51,8 @@ inline std::uint32_t owen_scramble_reversed(std::uint32_t x, std::uint32_t seed)
 /// The second Sobol' dimension of an index, its bits reversed. The generator matrix is Pascal's triangle mod
 /// 2: a sum over supersets of the index's bits, in five steps. (The first dimension's reversed bits are the
 /// index itself.)
-inline std::uint32_t sobol_second_reversed(std::uint32_t index) {
+template <typename U>
+U sobol_second_reversed(U index) {
   index ^= (index >> 16) & 0x0000ffffu;
   index ^= (index >> 8) & 0x00ff00ffu;
   index ^= (index >> 4) & 0x0f0f0f0fu;
@@ -44,18 +60,30 @@ inline std::uint32_t sobol_second_reversed(std::uint32_t index) {
   return index ^ ((index >> 1) & 0x55555555u);
 }
 
-struct Sample2d {
-  float x, y;
+template <typename T>
+struct BasicSample2d {
+  T x, y;
 };
+using Sample2d = BasicSample2d<float>;
+using Sample2dLanes = BasicSample2d<Lanes>;
+
+inline Sample2d lane(const Sample2dLanes& u, int i) {
+  return {u.x[i], u.y[i]};
+}
 
 /// The numbers that drive one path: pairs of an Owen-scrambled Sobol' sequence, padded by shuffling the
 /// sample index anew for each dimension pair (Burley 2020, "Practical Hash-based Owen Scrambling", sections
 /// 4–5), or independent ones. A pure function of (seed, pixel, sample, dimension), so any path may be drawn
 /// in any order.
-class SampleStream {
+template <typename U>
+class BasicSampleStream {
  public:
-  SampleStream() = default;
-  SampleStream(Sequence sequence, std::uint32_t seed, std::uint32_t pixel, std::uint32_t sample)
+  using Float = decltype(to_float(U{}));
+
+  BasicSampleStream() = default;
+  BasicSampleStream(Sequence sequence, U seed, U index_reversed)
+      : seed_(seed), index_reversed_(index_reversed), sequence_(sequence) {}
+  BasicSampleStream(Sequence sequence, U seed, U pixel, U sample)
       : seed_(mix_bits(pixel ^ mix_bits(seed * 0x9e3779b9u + 0x85ebca6bu))), sequence_(sequence) {
     if (sequence == Sequence::sobol)
       index_reversed_ = reverse_bits(sample);
@@ -64,36 +92,41 @@ class SampleStream {
   }
 
   /// 32 random bits, stratified over the samples of a pixel.
-  std::uint32_t bits(std::uint32_t dimension) const {
-    const std::uint32_t hash = mix_bits(seed_ + dimension * 0x9e3779b9u);
+  U bits(std::uint32_t dimension) const {
+    const U hash = hash_of(dimension);
     if (sequence_ == Sequence::independent) return hash;
     return reverse_bits(owen_scramble_reversed(shuffled_index(hash), mix_bits(hash + 1u)));
   }
 
-  float get_1d(std::uint32_t dimension) const { return to_unit(bits(dimension)); }
+  Float get_1d(std::uint32_t dimension) const { return to_unit(bits(dimension)); }
 
   /// All 32 bits, in the middle of their intervals: for choices that 24 bits are too coarse for.
-  double get_1d_fine(std::uint32_t dimension) const { return (bits(dimension) + 0.5) * 0x1p-32; }
+  double get_1d_fine(std::uint32_t dimension) const { return fine(bits(dimension)); }
+  static double fine(std::uint32_t bits) { return (bits + 0.5) * 0x1p-32; }
 
-  Sample2d get_2d(std::uint32_t dimension) const {
-    const std::uint32_t hash = mix_bits(seed_ + dimension * 0x9e3779b9u);
+  BasicSample2d<Float> get_2d(std::uint32_t dimension) const {
+    const U hash = hash_of(dimension);
     if (sequence_ == Sequence::independent) return {to_unit(hash), to_unit(mix_bits(hash + 1u))};
-    const std::uint32_t index = shuffled_index(hash);
-    const std::uint32_t x = owen_scramble_reversed(index, mix_bits(hash + 1u));
-    const std::uint32_t y = owen_scramble_reversed(sobol_second_reversed(index), mix_bits(hash + 2u));
+    const U index = shuffled_index(hash);
+    const U x = owen_scramble_reversed(index, mix_bits(hash + 1u));
+    const U y = owen_scramble_reversed(sobol_second_reversed(index), mix_bits(hash + 2u));
     return {to_unit(reverse_bits(x)), to_unit(reverse_bits(y))};
   }
 
- private:
-  std::uint32_t shuffled_index(std::uint32_t hash) const {
-    return reverse_bits(owen_scramble_reversed(index_reversed_, hash));
-  }
-  /// [0, 1): 24 bits, so that rounding never yields 1.
-  static float to_unit(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
+  U seed() const { return seed_; }
+  U index_reversed() const { return index_reversed_; }
 
-  std::uint32_t seed_ = 0;
-  std::uint32_t index_reversed_ = 0;  ///< the sample's index, its bits reversed
+ private:
+  U hash_of(std::uint32_t dimension) const { return mix_bits(seed_ + dimension * 0x9e3779b9u); }
+  U shuffled_index(U hash) const { return reverse_bits(owen_scramble_reversed(index_reversed_, hash)); }
+  /// [0, 1): 24 bits, so that rounding never yields 1.
+  static Float to_unit(U bits) { return to_float(bits >> 8) * 0x1p-24f; }
+
+  U seed_{};
+  U index_reversed_{};  ///< the sample's index, its bits reversed
   Sequence sequence_ = Sequence::sobol;
 };
+using SampleStream = BasicSampleStream<std::uint32_t>;
+using SampleStreamLanes = BasicSampleStream<UintLanes>;
 
 }  // namespace photopic

@@ -9,10 +9,9 @@ template <int N>
 SampledSpectrum<N> sample_spectrum(const Spectrum& spectrum, SampledSpectrum<N> lambda) {
   if (const auto* constant = std::get_if<ConstantSpectrum>(&spectrum))
     return SampledSpectrum<N>(static_cast<float>(constant->value));
+  if (const auto* sigmoid = std::get_if<SigmoidPolynomial>(&spectrum)) return (*sigmoid)(lambda);
   SampledSpectrum<N> result;
-  if (const auto* sigmoid = std::get_if<SigmoidPolynomial>(&spectrum)) {
-    for (int j = 0; j < N; ++j) result.v[j] = (*sigmoid)(lambda[j]);
-  } else if (const auto* table = std::get_if<TabulatedSpectrum>(&spectrum)) {
+  if (const auto* table = std::get_if<TabulatedSpectrum>(&spectrum)) {
     for (int j = 0; j < N; ++j) result.v[j] = static_cast<float>((*table)(lambda[j]));
   } else {
     for (int j = 0; j < N; ++j) result.v[j] = static_cast<float>(evaluate(spectrum, lambda[j]));

@@ -30,6 +30,8 @@ struct MaterialTextures {
   Texture specular_color;
   Texture clearcoat;            ///< red
   Texture clearcoat_roughness;  ///< green
+  Texture clearcoat_normal;     ///< as normal
+  float clearcoat_normal_scale = 1.0f;
   Texture sheen_color;
   Texture sheen_roughness;        ///< alpha
   Texture anisotropy;             ///< direction in red and green, [0, 1] for [−1, 1]; strength in blue
@@ -64,6 +66,7 @@ struct Material {
   bool thin_walled = true;                             ///< thicknessFactor 0: refraction is not seen
   Spectrum attenuation_color = ConstantSpectrum{1.0};  ///< transmittance over attenuation_distance
   float attenuation_distance = 0.0f;                   ///< [m]; 0: no absorption
+  int priority = 0;  ///< where solid glasses overlap the highest is there; among equals the last entered
   MaterialExtensions extensions = {};
   bool double_sided = false;  ///< single-sided surfaces emit from their front only
 

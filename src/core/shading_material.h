@@ -13,12 +13,18 @@ namespace photopic {
 template <int N>
 class ShadingMaterial {
  public:
-  ShadingMaterial(const Surface& surface, SampledSpectrum<N> lambda, const TrianglePoint& point = {})
-      : surface_(surface), lambda_(lambda), point_(point) {}
+  /// @param outside what bounds the medium in front of the surface; null: the index there is 1
+  ShadingMaterial(const Surface& surface, SampledSpectrum<N> lambda, const TrianglePoint& point = {},
+                  const Surface* outside = nullptr)
+      : surface_(surface), lambda_(lambda), point_(point), outside_(outside) {}
 
   const Surface& surface() const { return surface_; }
   SampledSpectrum<N> lambda() const { return lambda_; }  ///< [nm]
   const TrianglePoint& point() const { return point_; }
+
+  /// Refractive indices in front of the surface and behind it.
+  float outside_index(float lambda) const { return outside_ ? outside_->index(lambda) : 1.0f; }
+  bool outside_disperses() const { return outside_ && outside_->disperses(); }
 
   /// Reflectance in [0, 1].
   SampledSpectrum<N> base_color() const {
@@ -93,7 +99,8 @@ class ShadingMaterial {
   /// glTF's mixes are linear in metallic and transmission, so one of the two BSDFs may stand for both, chosen
   /// with probability transmission·(1 − metallic) for glass. @param u in [0, 1)
   BsdfKind choose_kind(float u) const {
-    return surface_.transmits && u < glass_probability() ? surface_.glass_kind : surface_.opaque_kind;
+    if (!surface_.transmits || u >= glass_probability()) return surface_.opaque_kind;
+    return surface_.encloses && outside_disperses() ? BsdfKind::spectral_glass : surface_.glass_kind;
   }
 
   /// Factor on the surface's emission spectrum × luminance: of a texture, else 1.
@@ -124,12 +131,13 @@ class ShadingMaterial {
     return surface_.transmission * textured(&MaterialTextures::transmission, &Vec4f::x);
   }
   SampledSpectrum<N> reflectance(Vec3f rgb) const {
-    return sample_spectrum<N>(tabulated_reflectance(rgb.x, rgb.y, rgb.z), lambda_);
+    return tabulated_reflectance(rgb.x, rgb.y, rgb.z)(lambda_);
   }
 
   const Surface& surface_;
   SampledSpectrum<N> lambda_;
   TrianglePoint point_;
+  const Surface* outside_;
 };
 
 }  // namespace photopic

@@ -9,7 +9,7 @@
 namespace photopic {
 
 /// GlassBsdf where the index or the reflectance depends on the wavelength: dispersive glass, thin films on
-/// glass.
+/// glass, coloured reflections.
 ///
 /// A reflection serves all wavelengths: it is chosen with their mean reflectance. So does what passes a thin
 /// wall. Refraction through smooth dispersive glass serves one, chosen with probabilities q_j that follow
@@ -29,23 +29,25 @@ class SpectralGlassBsdf {
         wo_{wo.x, wo.y, wo.z * side_},
         ggx_{sqr(m.roughness())},
         solid_(m.surface().solid),
-        tint_(m.base_color()) {
-    const MaterialExtensions& x = *m.surface().extensions;
-    film_ = x.iridescence > 0.0f ? m.iridescence() : 0.0f;
-    film_ior_ = x.iridescence_ior;
-    const float thickness = m.film_thickness();
+        tint_(m.base_color()),
+        specular_(m.specular()),
+        specular_color_(m.specular_color()) {
+    float thickness = 0.0f;
+    if (const MaterialExtensions* x = m.surface().extensions.get(); x && x->iridescence > 0.0f) {
+      film_ = m.iridescence(), film_ior_ = x->iridescence_ior;
+      thickness = m.film_thickness();
+    }
     const float total = throughput.sum();
     for (int j = 0; j < N; ++j) {
       q_.v[j] = throughput[j] / total;
-      double ior = m.surface().ior;
-      if (x.dispersion) ior = refractive_index(*x.dispersion, m.lambda()[j]);
-      ior_.v[j] = static_cast<float>(ior);
-      if (!smooth()) ior_.v[j] = std::max(ior_[j], kLeastRoughIor);
-      eta_.v[j] = !solid_ || side_ > 0.0f ? ior_[j] : 1.0f / ior_[j];
+      ior_.v[j] = m.surface().index(m.lambda()[j]);
+      if (solid_) outside_.v[j] = m.outside_index(m.lambda()[j]);
+      if (!smooth() && is_index_matched(ior_[j] / outside_[j])) ior_.v[j] = outside_[j] * kLeastRoughIor;
+      eta_.v[j] = !solid_ || side_ > 0.0f ? ior_[j] / outside_[j] : outside_[j] / ior_[j];
       phase_.v[j] = 2.0f * kPi * thickness / m.lambda()[j];
-      gain_.v[j] = smooth() || wo_.z == 0.0f ? 1.0f : 1.0f / kept(m, ior_[j]);
+      gain_.v[j] = smooth() || wo_.z == 0.0f ? 1.0f : 1.0f / kept(m, j);
     }
-    disperses_ = solid_ && x.dispersion && is_dispersive(*x.dispersion);
+    disperses_ = solid_ && (m.surface().disperses() || m.outside_disperses());
     if (!smooth() && wo_.z > 0.0f) g1_ = ggx_.g1(wo_);
   }
 
@@ -83,22 +85,28 @@ class SpectralGlassBsdf {
   SampledSpectrum<N> reflectance(float cos_i) const {
     SampledSpectrum<N> f;
     for (int j = 0; j < N; ++j) {
-      f.v[j] = fresnel_dielectric(cos_i, eta_[j]);
-      if (film_ > 0.0f) f.v[j] += film_ * (filmed(cos_i, j) - f[j]);
+      f.v[j] = reflectance(cos_i, j);
       if (!solid_) f.v[j] = 2.0f * f[j] / (1.0f + f[j]);
     }
     return f;
   }
+  float reflectance(float cos_i, int j) const {
+    float f = fresnel_dielectric(cos_i, eta_[j]);
+    if (f == 1.0f) return f;
+    if (film_ > 0.0f) f += film_ * (filmed(cos_i, j) - f);
+    return specular_of(j).scaled(f, cos_i, eta_[j]);
+  }
+  SpecularScale specular_of(int j) const { return {specular_ * specular_color_[j], specular_}; }
   float filmed(float cos_i, int j) const {
     const bool inside = solid_ && side_ < 0.0f;
-    return ThinFilm{inside ? ior_[j] : 1.0f, film_ior_, {inside ? 1.0f : ior_[j]}, phase_[j]}.reflectance(
-        cos_i);
+    const float from = inside ? ior_[j] : outside_[j], to = inside ? outside_[j] : ior_[j];
+    return ThinFilm{from, film_ior_, {to}, phase_[j]}.reflectance(cos_i);
   }
 
-  float kept(const ShadingMaterial<N>& m, float ior) const {
+  float kept(const ShadingMaterial<N>& m, int j) const {
     if (!solid_) return 1.0f - GgxAlbedo::table().directional(wo_.z, m.roughness()).missing;
     const auto& albedo = m.surface().glass_albedo;  // none where no wavelength is refracted
-    return albedo ? (*albedo)(wo_.z, m.roughness(), ior, side_ < 0.0f) : 1.0f;
+    return albedo ? (*albedo)(wo_.z, m.roughness(), eta_[j], specular_of(j)) : 1.0f;
   }
 
   std::optional<BsdfSample<N>> bounce(Vec3f m, SampledSpectrum<N> weight) const {
@@ -154,9 +162,8 @@ class SpectralGlassBsdf {
       if (m.z < 0.0f) m = -m;
       const float cos_o = dot(wo_, m);
       if (cos_o <= 0.0f || dot(wi, m) >= 0.0f) continue;
-      float f = fresnel_dielectric(cos_o, eta_[j]);
-      if (film_ > 0.0f) f += film_ * (filmed(cos_o, j) - f);
-      const float common = (1.0f - f) * ggx_.d(m) * cos_o / wo_.z * refraction_jacobian(wo_, wi, m, eta_[j]);
+      const float common = (1.0f - reflectance(cos_o, j)) * ggx_.d(m) * cos_o / wo_.z *
+                           refraction_jacobian(wo_, wi, m, eta_[j]);
       value.f_cos.v[j] = tint_[j] * common * gain_[j] * g2 / sqr(eta_[j]);
       value.pdf += q_[j] * common * g1_;
     }
@@ -168,12 +175,16 @@ class SpectralGlassBsdf {
   Ggx ggx_;
   bool solid_, disperses_;
   SampledSpectrum<N> tint_;
-  float film_, film_ior_;
+  float specular_;
+  SampledSpectrum<N> specular_color_;
+  float film_ = 0.0f, film_ior_ = 1.0f;
   SampledSpectrum<N> q_;  ///< a wavelength's probability to be chosen
-  SampledSpectrum<N> ior_, eta_;
-  SampledSpectrum<N> phase_;  ///< of the film: 2π·thickness/λ
-  SampledSpectrum<N> gain_;   ///< 1/(share that one bounce keeps)
-  float g1_ = 1.0f;           ///< of wo
+  SampledSpectrum<N> ior_;
+  SampledSpectrum<N> outside_{1.0f};  ///< index of the medium in front
+  SampledSpectrum<N> eta_;            ///< η_t/η_i
+  SampledSpectrum<N> phase_;          ///< of the film: 2π·thickness/λ
+  SampledSpectrum<N> gain_;           ///< 1/(share that one bounce keeps)
+  float g1_ = 1.0f;                   ///< of wo
 };
 
 }  // namespace photopic

@@ -1,6 +1,6 @@
 #include "core/surface.h"
 
-#include "core/microfacet.h"
+#include "core/rough_glass.h"
 
 namespace photopic {
 namespace {
@@ -33,28 +33,15 @@ BsdfKind opaque_kind_of(const Material& m) {
 }
 
 BsdfKind glass_kind_of(const Material& m) {
-  return m.extensions.is_spectral_glass() && m.ior != 0.0f ? BsdfKind::spectral_glass : BsdfKind::glass;
+  const auto* specular = std::get_if<ConstantSpectrum>(&m.specular_color);
+  const bool colored =
+      specular == nullptr || specular->value != 1.0 || has_texture(m, &MaterialTextures::specular_color);
+  return (m.extensions.is_spectral_glass() || colored) && m.ior != 0.0f ? BsdfKind::spectral_glass
+                                                                        : BsdfKind::glass;
 }
 
 std::shared_ptr<const MaterialExtensions> extensions_of(const Material& m) {
   return m.extensions.any() ? std::make_shared<const MaterialExtensions>(m.extensions) : nullptr;
-}
-
-GlassAlbedo::Range ior_range(const Material& m) {
-  if (!m.extensions.dispersion) return {m.ior, m.ior};
-  const auto at = [&](double lambda) {
-    return static_cast<float>(refractive_index(*m.extensions.dispersion, lambda));
-  };
-  return {std::max(at(kLambdaMax), kLeastRoughIor), std::max(at(kLambdaMin), kLeastRoughIor)};
-}
-
-/// Of rough solid glass alone; where there is no change of index, nothing scatters.
-std::shared_ptr<const GlassAlbedo> glass_albedo_of(const Material& m) {
-  if (!may_transmit(m) || m.thin_walled || sqr(m.roughness) < kSmoothAlpha ||
-      ior_range(m).high < kLeastRoughIor)
-    return nullptr;
-  const float least = has_texture(m, &MaterialTextures::metallic_roughness) ? 0.0f : m.roughness;
-  return std::make_shared<const GlassAlbedo>(ior_range(m), GlassAlbedo::Range{least, m.roughness});
 }
 
 }  // namespace
@@ -66,9 +53,12 @@ Surface::Surface(const Material& m)
       emits(m.emission_spectrum >= 0 && m.emission_luminance > 0.0f),
       double_sided(m.double_sided),
       solid(!m.thin_walled),
+      encloses(transmits && solid && m.ior != 0.0f),
       base_varies(!m.unlit && (m.has_vertex_colors || has_texture(m, &MaterialTextures::base_color))),
       emission_varies(has_texture(m, &MaterialTextures::emissive) || m.unlit),
       maps_normals(has_texture(m, &MaterialTextures::normal)),
+      coat_has_normals(m.extensions.clearcoat > 0.0f &&
+                       (maps_normals || has_texture(m, &MaterialTextures::clearcoat_normal))),
       partly_covers(has_partial_alpha(m)),
       base_color(m.base_color),
       specular_color(m.specular_color),
@@ -87,13 +77,15 @@ Surface::Surface(const Material& m)
       ior(m.ior),
       attenuation_color(m.attenuation_color),
       attenuation_distance(m.attenuation_distance),
-      glass_albedo(glass_albedo_of(m)),
+      priority(m.priority),
       extensions(extensions_of(m)),
       emission_spectrum(m.emission_spectrum),
       emission_luminance(m.emission_luminance),
       emissive_factor(m.emissive_factor),
       emission_is_measured(m.emission_is_measured),
-      unlit(m.unlit) {}
+      unlit(m.unlit) {
+  prepare_rough_glass(*this, {});
+}
 
 Vec3f Surface::base_rgb(const TrianglePoint& point) const {
   Vec3f rgb = base_factor;

@@ -23,10 +23,12 @@ struct Surface {
   bool transmits;        ///< somewhere on it glass may be chosen
   bool emits;
   bool double_sided;
-  bool solid;  ///< encloses a medium: transmission refracts
+  bool solid;     ///< transmission refracts
+  bool encloses;  ///< a medium that rays can enter
   bool base_varies, emission_varies;
   bool maps_normals;
-  bool partly_covers;  ///< rays may pass where alpha is below 1
+  bool coat_has_normals;  ///< clearcoat whose normals differ from the base's
+  bool partly_covers;     ///< rays may pass where alpha is below 1
 
   Spectrum base_color, specular_color;
   Vec3f base_factor, specular_color_factor;
@@ -43,7 +45,8 @@ struct Surface {
   float ior;
   Spectrum attenuation_color;
   float attenuation_distance;
-  std::shared_ptr<const GlassAlbedo> glass_albedo;       ///< null where no rough glass refracts
+  int priority;                                     ///< of the medium
+  std::shared_ptr<const GlassAlbedo> glass_albedo;  ///< null where no rough glass refracts; see rough_glass.h
   std::shared_ptr<const MaterialExtensions> extensions;  ///< null where the material has none
 
   int emission_spectrum;
@@ -53,6 +56,16 @@ struct Surface {
   bool unlit;
 
   bool absorbs() const { return attenuation_distance > 0.0f; }
+
+  /// Whether the medium's index depends on the wavelength.
+  bool disperses() const {
+    return extensions && extensions->dispersion && is_dispersive(*extensions->dispersion);
+  }
+  /// The medium's refractive index. @param lambda [nm]
+  float index(float lambda) const {
+    if (!extensions || !extensions->dispersion) return ior;
+    return static_cast<float>(refractive_index(*extensions->dispersion, lambda));
+  }
 
   /// Linear sRGB, where base_varies or emission_varies.
   Vec3f base_rgb(const TrianglePoint& point) const;

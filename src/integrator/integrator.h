@@ -8,6 +8,8 @@
 #include "core/prepared_scene.h"
 #include "core/progress.h"
 #include "core/sample_sequence.h"
+#include "integrator/non_finite.h"
+#include "integrator/stage_watch.h"
 #include "spectral/observer.h"
 #include "spectral/wavelength_sampler.h"
 
@@ -24,6 +26,7 @@ struct RenderOptions {
   int batch_size = 1024;  ///< paths advanced together; changes no bit of the result
   const std::atomic<bool>* stop = nullptr;  ///< set by another thread or a signal: return what is done so far
   Progress* progress = nullptr;             ///< advanced by samples
+  bool time_stages = false;                 ///< fill RenderStats::stages; for benchmarks
 };
 
 struct RenderStats {
@@ -31,17 +34,23 @@ struct RenderStats {
   std::uint64_t paths = 0;
   std::uint64_t rays = 0;  ///< nearest-hit rays
   std::uint64_t shadow_rays = 0;
-  std::uint64_t split_paths = 0;  ///< paths that went on with one wavelength after dispersion
-  std::uint64_t non_finite = 0;   ///< samples that were not finite; left out of the film and counted here
+  std::uint64_t split_paths = 0;      ///< paths that went on with one wavelength after dispersion
+  std::uint64_t media_overflows = 0;  ///< paths that were in more media at once than are kept
+  std::uint64_t non_finite = 0;       ///< samples that were not finite; left out of the film and counted here
+  NonFiniteCounts non_finite_causes;  ///< why; the oracle does not tell
   std::optional<double> expected_delta_e{};  ///< mean over the image; where a target_error was set
   bool stopped = false;                      ///< by RenderOptions::stop
+  StageSeconds stages{};                     ///< all 0 unless RenderOptions::time_stages
 
   RenderStats& operator+=(const RenderStats& other) {
     paths += other.paths;
     rays += other.rays;
     shadow_rays += other.shadow_rays;
     split_paths += other.split_paths;
+    media_overflows += other.media_overflows;
     non_finite += other.non_finite;
+    non_finite_causes += other.non_finite_causes;
+    for (std::size_t i = 0; i < kStages; ++i) stages[i] += other.stages[i];
     return *this;
   }
 };

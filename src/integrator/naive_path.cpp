@@ -18,15 +18,15 @@ template <int N>
 struct Step {
   Vec3f origin, direction;
   SampledSpectrum<N> weight;
-  std::int32_t medium;
+  bool inwards;
   bool split;
 };
 
 template <int N, typename Bsdf>
-std::optional<Step<N>> step(const Vertex<N, Bsdf>& vertex, float u_lobe, Sample2d u, std::int32_t medium) {
+std::optional<Step<N>> step(const Vertex<N, Bsdf>& vertex, float u_lobe, Sample2d u) {
   const auto s = vertex.sample(u_lobe, u);
   if (!s) return {};
-  return Step<N>{vertex.point.leave(s->wi), s->wi, s->weight, vertex.medium_towards(s->wi, medium), s->split};
+  return Step<N>{vertex.point.leave(s->wi), s->wi, s->weight, vertex.is_inwards(s->wi), s->split};
 }
 
 }  // namespace
@@ -52,14 +52,14 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
 
   Ray ray = camera_ray(scene_.scene.camera, path.pixel, stream);
   SampledSpectrum<N> throughput(1.0f), radiance(0.0f);
-  std::int32_t medium = -1;
-  for (int depth = 1;; ++depth) {
+  PathMedia media = camera_media_;
+  for (int depth = 1, hidden = 0;; ++depth) {
     const Hit hit = scene_.accel.intersect(ray);
     ++stats_.rays;
+    if (!is_finite(ray)) radiance = SampledSpectrum<N>(std::numeric_limits<float>::quiet_NaN());
     const bool escaped = hit.shape == kNoHit;
-    if (medium >= 0)
-      throughput *= scene_.surfaces[static_cast<std::size_t>(medium)].transmittance(
-          lambda, escaped ? std::numeric_limits<float>::infinity() : hit.t);
+    attenuate(throughput, scene_, media.current(), lambda,
+              escaped ? std::numeric_limits<float>::infinity() : hit.t);
     if (escaped) {
       if (const Environment* environment = scene_.scene.environment.get()) {
         const Vec3f rgb = environment->radiance(ray.direction);
@@ -81,31 +81,39 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
       radiance += throughput * sample_emission<N>(spectrum, sampled) * material.emission_tint() *
                   surface.emission_luminance;
     }
+    meet(media, scene_, hit, ray.direction);
+    if (media.hidden() && ++hidden < kMostHidden) {
+      ray.origin = pass_hidden(media, scene_, hit, ray.direction);
+      --depth;
+      continue;
+    }
     if (depth == options_.max_depth) break;
 
     // Where the path goes on.
     const float u_lobe = stream.get_1d(bounce_dimension(depth, kBsdfLobe));
     const Sample2d u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
     const Vec3f wo = -ray.direction;
+    const Surface* outside = surface_of(scene_, media.outside());
     std::optional<Step<N>> next;
-    switch (material.choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)))) {
+    switch (ShadingMaterial<N>(surface, lambda, {scene_.scene.geometry, hit}, outside)
+                .choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)))) {
       case BsdfKind::diffuse:
-        next = step(Vertex<N, DiffuseBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
+        next = step(Vertex<N, DiffuseBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
         break;
       case BsdfKind::opaque:
-        next = step(Vertex<N, OpaqueBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
+        next = step(Vertex<N, OpaqueBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
         break;
       case BsdfKind::conductor:
-        next = step(Vertex<N, ConductorBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
+        next = step(Vertex<N, ConductorBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
         break;
       case BsdfKind::layered:
-        next = step(Vertex<N, LayeredBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
+        next = step(Vertex<N, LayeredBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
         break;
       case BsdfKind::glass:
-        next = step(Vertex<N, GlassBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
+        next = step(Vertex<N, GlassBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
         break;
       case BsdfKind::spectral_glass:
-        next = step(Vertex<N, SpectralGlassBsdf<N>>(scene_, hit, wo, lambda, throughput), u_lobe, u, medium);
+        next = step(Vertex<N, SpectralGlassBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
         break;
     }
     if (!next) break;
@@ -113,8 +121,9 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     stats_.split_paths += next->split;
     if (throughput.is_black()) break;
     ray = {next->origin, next->direction};
-    medium = next->medium;
+    media.go_on(scene_.surfaces, next->inwards);
   }
+  stats_.media_overflows += media.overflowed();
   return wavelengths.to_xyz(radiance);
 }
 

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "integrator/integrator.h"
+#include "integrator/media.h"
 #include "integrator/path_start.h"
 
 namespace photopic {
@@ -14,7 +15,10 @@ class NaivePathTracer {
  public:
   NaivePathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths,
                   const RenderOptions& options)
-      : scene_(scene), sampler_(wavelengths), options_(options) {}
+      : scene_(scene),
+        sampler_(wavelengths),
+        options_(options),
+        camera_media_(media_at(scene, scene.scene.camera.position)) {}
 
   void trace(std::span<const PathKey> paths, Film& film);
 
@@ -26,6 +30,7 @@ class NaivePathTracer {
   const PreparedScene& scene_;
   const WavelengthSampler& sampler_;
   const RenderOptions& options_;
+  PathMedia camera_media_;
   RenderStats stats_;
 };
 

@@ -7,21 +7,40 @@
 #include "core/accel.h"
 #include "core/bsdf.h"
 #include "core/prepared_scene.h"
+#include "integrator/media.h"
 #include "integrator/path_start.h"
 #include "spectral/rgb_light.h"
 
 namespace photopic {
+
+/// The sample streams of many paths.
+class StreamArray {
+ public:
+  StreamArray(std::size_t size, Sequence sequence)
+      : sequence_(sequence), seed_(size), index_reversed_(size) {}
+  SampleStream operator[](std::size_t i) const { return {sequence_, seed_[i], index_reversed_[i]}; }
+  void set(std::size_t i, const SampleStream& stream) {
+    seed_[i] = stream.seed(), index_reversed_[i] = stream.index_reversed();
+  }
+  SampleStreamLanes gather(const Packet& p) const {
+    return {sequence_, photopic::gather(seed_.data(), p), photopic::gather(index_reversed_.data(), p)};
+  }
+
+ private:
+  Sequence sequence_;
+  std::vector<std::uint32_t> seed_, index_reversed_;
+};
 
 /// The state of many paths as structure of arrays, an entry a slot. Slots stay; queues of slot numbers shrink
 /// as paths end.
 template <int N>
 struct PathBatch {
   /// What a scene does not have is not stored.
-  PathBatch(std::size_t capacity, const PreparedScene& scene)
+  PathBatch(std::size_t capacity, Sequence sequence, const PreparedScene& scene)
       : rays(capacity),
         hits(capacity),
         pixel(capacity),
-        stream(capacity),
+        stream(capacity, sequence),
         sampled(capacity),
         wavelengths(capacity),
         emission(capacity * scene.scene.emission_spectra.size()),
@@ -29,7 +48,8 @@ struct PathBatch {
         radiance(capacity),
         bsdf_pdf(capacity),
         eta_scale(capacity),
-        medium(capacity),
+        media(has_media(scene) ? capacity : 0),
+        vertex(capacity),
         normal(scene.lights.uses_normals() ? capacity : 0),
         spectrum_choice(scene.lights.several_spectra() ? emission.size() : 0),
         tints(scene.scene.environment ? capacity : 0),
@@ -47,6 +67,12 @@ struct PathBatch {
     return emission[slot * emission_count_ + static_cast<std::size_t>(k)];
   }
 
+  std::size_t emission_count() const { return emission_count_; }
+  /// All of them.
+  std::span<SampledSpectrum<N>> emissions_of(std::uint32_t slot) {
+    return std::span(emission).subspan(slot * emission_count_, emission_count_);
+  }
+
   /// The probabilities of each spectrum's lights at the slot's last vertex; empty where there is one
   /// spectrum.
   std::span<float> spectra_of(std::uint32_t slot) {
@@ -54,16 +80,21 @@ struct PathBatch {
     return std::span(spectrum_choice).subspan(slot * emission_count_, emission_count_);
   }
 
+  /// What bounds the medium in front of the surface that was hit, or null.
+  const Surface* outside_of(std::uint32_t slot, const PreparedScene& scene) const {
+    return media.empty() ? nullptr : surface_of(scene, media[slot].outside());
+  }
+
   /// The slot's last vertex as the lights see it.
   LightReference vertex_of(std::uint32_t slot) const {
-    return {rays.origin[slot], normal.x.empty() ? Vec3f{} : normal[slot]};
+    return {vertex[slot], normal.x.empty() ? Vec3f{} : normal[slot]};
   }
 
   // The path so far.
   RayArray rays;
   std::vector<Hit> hits;
   std::vector<std::uint32_t> pixel;
-  std::vector<SampleStream> stream;
+  StreamArray stream;
   std::vector<SampledWavelengths<N>> sampled;  ///< on the way from the draw to the look-ups
   std::vector<PathWavelengths<N>> wavelengths;
   std::vector<SampledSpectrum<N>> emission;
@@ -71,8 +102,9 @@ struct PathBatch {
   std::vector<SampledSpectrum<N>> radiance;    ///< gathered so far [cd/m² per unit emission spectrum]
   std::vector<float> bsdf_pdf;   ///< of the last direction [1/sr]; 0: it was a delta, or the camera's
   std::vector<float> eta_scale;  ///< η² of the interfaces crossed: what roulette must not mistake for loss
-  std::vector<std::int32_t> medium;  ///< material of the glass the path is in, −1 outside
+  std::vector<PathMedia> media;  ///< empty where the scene has none
 
+  Vec3Array vertex;                    ///< the last one's position; where rays start is a little off it
   Vec3Array normal;                    ///< of the last vertex, where lights are chosen by it
   std::vector<float> spectrum_choice;  ///< see spectra_of
   std::vector<SampledTints<N>> tints;  ///< for the environment's colours

@@ -3,8 +3,10 @@
 #include <span>
 
 #include "integrator/integrator.h"
+#include "integrator/non_finite_watch.h"
 #include "integrator/path_batch.h"
-#include "integrator/vertex.h"
+#include "integrator/shading_stage.h"
+#include "spectral/wavelength_table.h"
 
 namespace photopic {
 
@@ -12,7 +14,9 @@ namespace photopic {
 template <int N>
 class PathTracer {
  public:
-  PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& options);
+  /// @param table of the scene's emissions and the observer
+  PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& options,
+             const WavelengthTable& table);
 
   /// Traces the paths and adds them to the film in the order given. At most options.batch_size of them.
   void trace(std::span<const PathKey> paths, Film& film);
@@ -20,30 +24,35 @@ class PathTracer {
   const RenderStats& stats() const { return stats_; }
 
  private:
+  void done(Stage stage) {
+    if (watch_) watch_->after(stage);
+  }
+  /// Every stage of the paths, up to what each has gathered.
+  void advance(std::span<const PathKey> paths);
   void start(std::span<const PathKey> paths);
   void choose_wavelengths();
   void leave_camera();
   void intersect();
   void escape();
   void absorb_and_emit();
+  void travel(std::uint32_t slot);
+  void pass_hidden_surfaces();
   void sort_by_bsdf(int depth);
-  template <typename Bsdf>
-  void shade(std::span<const std::uint32_t> slots, int depth);
-  void weigh_spectra(std::uint32_t slot);
-  SampledSpectrum<N> lamp_tint(std::uint32_t slot, const LightSample& light) const;
-  template <typename Bsdf>
-  void sample_light(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex);
-  template <typename Bsdf>
-  void sample_direction(std::uint32_t slot, int depth, const Vertex<N, Bsdf>& vertex);
   void trace_shadow_rays();
   void roulette(int depth);
-  void finish(std::size_t count, Film& film);
+  bool is_lost(std::size_t slot) const;
+  void finish(std::span<const PathKey> paths, Film& film);
+  void count_non_finite(std::span<const PathKey> paths);
 
   const PreparedScene& scene_;
   const WavelengthSampler& sampler_;
   const RenderOptions& options_;
+  const WavelengthTable& table_;
   PathBatch<N> batch_;
+  ShadingStage<N> shading_;
+  PathMedia camera_media_;  ///< around the camera
   RenderStats stats_;
+  StageWatch* watch_ = nullptr;  ///< or none
 };
 
 }  // namespace photopic

@@ -39,6 +39,17 @@ struct PathWavelengths {
   std::array<SampledSpectrum<N>, 3> xyz_per_radiance;  ///< h(λ_j) / (S(λ_j)·∫ȳ dλ) for X, Y and Z
 
   PathWavelengths() = default;
+
+  /// @param h x̄, ȳ and z̄ over ∫ȳ dλ at the wavelengths
+  PathWavelengths(const SampledWavelengths<N>& w, const std::array<SampledSpectrum<N>, 3>& h) {
+    SampledSpectrum<N> sum;
+    for (int j = 0; j < N; ++j) lambda.v[j] = static_cast<float>(w.lambda[j]);
+    for (int j = 0; j < N; ++j) sum.v[j] = static_cast<float>(w.density_sum[j]);
+    const SampledSpectrum<N> weight = SampledSpectrum<N>(1.0f) / sum;
+    for (std::size_t i = 0; i < 3; ++i) xyz_per_radiance[i] = h[i] * weight;
+  }
+
+  /// The plain way, looking up each wavelength.
   PathWavelengths(const SampledWavelengths<N>& w, const Observer& observer) {
     for (int j = 0; j < N; ++j) {
       lambda.v[j] = static_cast<float>(w.lambda[j]);

@@ -42,10 +42,15 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 template <typename Tracer>
 class TileRenderer {
  public:
-  TileRenderer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& asked)
+  /// @param shared what the tracers of all threads need besides
+  template <typename... Shared>
+  TileRenderer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& asked,
+               const Shared&... shared)
       : camera_(scene.scene.camera),
         options_(asked),
-        tracers_([this, &scene, &wavelengths] { return Tracer(scene, wavelengths, options_); }),
+        tracers_([this, &scene, &wavelengths, &shared...] {
+          return Tracer(scene, wavelengths, options_, shared...);
+        }),
         film_(camera_.width, camera_.height) {
     const int task = film_tiles(camera_).front().pixel_count() * kSamplesPerPass;
     options_.batch_size = std::min(asked.batch_size, task);
@@ -128,25 +133,19 @@ class TileRenderer {
   std::optional<Film> second_film_;  ///< of every other run of samples, where the error is asked for
 };
 
-template <typename Tracer>
-RenderResult render_tiles(const PreparedScene& scene, const WavelengthSampler& wavelengths,
-                          const RenderOptions& options) {
-  return TileRenderer<Tracer>(scene, wavelengths, options).render();
-}
-
 /// The widths that are compiled.
-template <template <int> typename Tracer>
+template <template <int> typename Tracer, typename... Shared>
 RenderResult render_with(const PreparedScene& scene, const WavelengthSampler& wavelengths,
-                         const RenderOptions& options) {
+                         const RenderOptions& options, const Shared&... shared) {
   switch (wavelength_count(wavelengths)) {
     case 1:
-      return render_tiles<Tracer<1>>(scene, wavelengths, options);
+      return TileRenderer<Tracer<1>>(scene, wavelengths, options, shared...).render();
     case 4:
-      return render_tiles<Tracer<4>>(scene, wavelengths, options);
+      return TileRenderer<Tracer<4>>(scene, wavelengths, options, shared...).render();
     case 8:
-      return render_tiles<Tracer<8>>(scene, wavelengths, options);
+      return TileRenderer<Tracer<8>>(scene, wavelengths, options, shared...).render();
     case 16:
-      return render_tiles<Tracer<16>>(scene, wavelengths, options);
+      return TileRenderer<Tracer<16>>(scene, wavelengths, options, shared...).render();
   }
   throw std::invalid_argument("a path carries 1, 4, 8 or 16 wavelengths");
 }
@@ -155,7 +154,8 @@ RenderResult render_with(const PreparedScene& scene, const WavelengthSampler& wa
 
 RenderResult render(const PreparedScene& scene, const WavelengthSampler& wavelengths,
                     const RenderOptions& options) {
-  return render_with<PathTracer>(scene, wavelengths, options);
+  const WavelengthTable table(*options.observer, scene.scene.emission_spectra);
+  return render_with<PathTracer>(scene, wavelengths, options, table);
 }
 
 RenderResult render_naive(const PreparedScene& scene, const WavelengthSampler& wavelengths,

@@ -2,23 +2,11 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 
+#include "spectral/linear_density.h"
+
 namespace photopic {
-namespace {
-
-/// Where a linear density f + slope·s has gathered `mass`: the way s, and the density there. The form of the
-/// root that neither cancels nor divides by a slope of zero.
-struct Way {
-  double s, density;
-};
-Way way_to(double mass, double f, double slope) {
-  const double root = std::sqrt(std::max(0.0, f * f + 2.0 * slope * mass));
-  return {2.0 * mass / (f + root + std::numeric_limits<double>::min()), root};
-}
-
-}  // namespace
 
 ComposedDensities::ComposedDensities(const PiecewiseLinearDensity& base,
                                      std::span<const PiecewiseLinearDensity> q,
@@ -28,10 +16,10 @@ ComposedDensities::ComposedDensities(const PiecewiseLinearDensity& base,
     for (std::size_t i = 0; i < q_sum.size(); ++i) q_sum[i] += one.value()[i];
 
   for (std::size_t k = 0; k < q.size(); ++k) {
-    Density density{.pieces = {}, .guide = {}, .backwards = backwards[k]};
+    Density density{.pieces = {}, .piece_of = {}, .backwards = backwards[k]};
     for (std::size_t i = 0; i + 1 < base.x().size(); ++i) add_pieces(base, i, q[k], q_sum, density.pieces);
     density.pieces.push_back({.u = std::numeric_limits<double>::infinity(), .lambda = base.x().back()});
-    build_guide(density);
+    density.piece_of = guide_to(density.pieces);
     densities_.push_back(std::move(density));
   }
 }
@@ -52,7 +40,7 @@ void ComposedDensities::add_pieces(const PiecewiseLinearDensity& base, std::size
     if (!(step > 0.0)) continue;  // a jump
     const double q_slope = (q.value()[node + 1] - q.value()[node]) / step;
     const double sum_slope = (q_sum[node + 1] - q_sum[node]) / step;
-    const Way way = way_to(start - first, f, slope);
+    const auto way = way_to(start - first, f, slope);
     pieces.push_back({.u = q.cdf(start),
                       .lambda = x + way.s,
                       .q = (q.value()[node] + q_slope * beyond),
@@ -64,35 +52,40 @@ void ComposedDensities::add_pieces(const PiecewiseLinearDensity& base, std::size
   }
 }
 
-void ComposedDensities::build_guide(Density& density) {
-  const std::size_t size = std::bit_ceil(2 * density.pieces.size());
-  density.guide_scale = static_cast<double>(size);
-  density.guide.reserve(size + 1);
-  std::uint32_t piece = 0;
-  for (std::size_t i = 0; i <= size; ++i) {
-    while (density.pieces[piece + 1].u <= static_cast<double>(i) / density.guide_scale) ++piece;
-    density.guide.push_back(piece);
-  }
-  density.guide.push_back(static_cast<std::uint32_t>(density.pieces.size()) - 2);
-}
-
-const ComposedDensities::Piece* ComposedDensities::Density::find(double v) const {
-  // Where a density is next to nothing, one step holds a great many pieces; few paths come there.
-  constexpr std::ptrdiff_t kFew = 16;
-  const std::uint32_t* step = &guide[static_cast<std::size_t>(v * guide_scale)];
-  const Piece *piece = &pieces[step[0]], *last = &pieces[step[1]];
-  if (last - piece > kFew)
-    piece = std::upper_bound(piece + 1, last + 1, v, [](double u, const Piece& p) { return u < p.u; }) - 1;
-  while (piece[1].u <= v) ++piece;
-  return piece;
+GuideTable ComposedDensities::guide_to(const std::vector<Piece>& pieces) {
+  std::vector<double> ends;
+  for (std::size_t i = 1; i < pieces.size(); ++i) ends.push_back(std::min(pieces[i].u, 1.0));
+  return {0.0, std::move(ends), static_cast<double>(std::bit_ceil(2 * pieces.size()))};
 }
 
 void ComposedDensities::draw(double u, std::span<double> lambda, std::span<double> density_sum) const {
-  for (std::size_t k = 0; k < densities_.size(); ++k) {
-    const double v = densities_[k].backwards ? 1.0 - u : u;
-    const Piece* piece = densities_[k].find(v);
-    const Way t = way_to(v - piece->u, piece->q, piece->q_slope);
-    const Way way = way_to(t.s, piece->b, piece->b_slope);
+  const auto piece_at = [this](std::size_t k, double v) {
+    return &densities_[k].pieces[densities_[k].piece_of.find(v)];
+  };
+  const auto driven_by = [this, u](std::size_t k) { return densities_[k].backwards ? 1.0 - u : u; };
+  std::size_t k = 0;
+  for (; k + 4 <= densities_.size(); k += 4) {
+    const Double4 v{driven_by(k), driven_by(k + 1), driven_by(k + 2), driven_by(k + 3)};
+    const Piece *p0 = piece_at(k, v[0]), *p1 = piece_at(k + 1, v[1]), *p2 = piece_at(k + 2, v[2]),
+                *p3 = piece_at(k + 3, v[3]);
+    auto begin = load<Double4>(&p0->u), start = load<Double4>(&p1->u), q = load<Double4>(&p2->u),
+         q_slope = load<Double4>(&p3->u);
+    transpose(begin, start, q, q_slope);
+    auto b = load<Double4>(&p0->b), b_slope = load<Double4>(&p1->b), sum = load<Double4>(&p2->b),
+         sum_slope = load<Double4>(&p3->b);
+    transpose(b, b_slope, sum, sum_slope);
+    const Double4 end{p0[1].lambda, p1[1].lambda, p2[1].lambda, p3[1].lambda};
+    const auto t = way_to(v - begin, q, q_slope);
+    const auto way = way_to(t.s, b, b_slope);
+    const Double4 reached = start + way.s;
+    store(&lambda[k], reached < end ? reached : end);
+    store(&density_sum[k], (sum + sum_slope * t.s) * way.density);
+  }
+  for (; k < densities_.size(); ++k) {
+    const double v = driven_by(k);
+    const Piece* piece = piece_at(k, v);
+    const auto t = way_to(v - piece->u, piece->q, piece->q_slope);
+    const auto way = way_to(t.s, piece->b, piece->b_slope);
     lambda[k] = std::min(piece->lambda + way.s, piece[1].lambda);
     density_sum[k] = (piece->sum + piece->sum_slope * t.s) * way.density;
   }

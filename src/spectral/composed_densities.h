@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "spectral/guide_table.h"
 #include "spectral/piecewise_density.h"
 
 namespace photopic {
@@ -28,17 +28,13 @@ class ComposedDensities {
   };
   struct Density {
     std::vector<Piece> pieces;  ///< and behind them their end, u beyond 1
-    std::vector<std::uint32_t>
-        guide;  ///< the last piece to begin at or before each of equal steps of u, and the last of all
-    double guide_scale = 0;  ///< steps in all
+    GuideTable piece_of;        ///< u
     bool backwards = false;
-
-    const Piece* find(double v) const;  ///< the piece that holds v, 0 ≤ v ≤ 1
   };
   static void add_pieces(const PiecewiseLinearDensity& base, std::size_t knot,
                          const PiecewiseLinearDensity& q, std::span<const double> q_sum,
                          std::vector<Piece>& pieces);
-  static void build_guide(Density& density);
+  static GuideTable guide_to(const std::vector<Piece>& pieces);
 
   std::vector<Density> densities_;
 };

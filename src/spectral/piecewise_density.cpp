@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "spectral/compensated_sum.h"
+#include "spectral/linear_density.h"
 
 namespace photopic {
 namespace {
@@ -27,39 +28,6 @@ double integral(const std::vector<double>& x, const std::vector<double>& value) 
   CompensatedSum sum;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) sum += (x[i + 1] - x[i]) * (0.5 * (value[i] + value[i + 1]));
   return sum.value();
-}
-
-constexpr std::size_t kScan = 8;  ///< up to so many cells, walking beats halving
-
-/// The last index in [first, last] whose key is at or before `key`, or `first` where none is.
-template <typename KeyOf>
-std::size_t last_at_or_before(std::size_t first, std::size_t last, double key, KeyOf key_of) {
-  while (last - first > kScan) {
-    const std::size_t middle = first + (last - first + 1) / 2;
-    if (key_of(middle) <= key)
-      first = middle;
-    else
-      last = middle - 1;
-  }
-  while (first < last && key_of(first + 1) <= key) ++first;
-  return first;
-}
-
-/// For equal steps of a non-decreasing key from `start`: the cell that last_at_or_before finds there. Entries
-/// are early by more than a look-up's rounding, and one is kept beyond the end, so that [entry, entry + 2]
-/// always holds the cell.
-template <typename KeyOf>
-std::vector<std::uint32_t> guide_table(std::size_t size, double start, double step, std::size_t last,
-                                       KeyOf key_of) {
-  std::vector<std::uint32_t> guide(size + 3, static_cast<std::uint32_t>(last));
-  const double early = 1e-14 * (std::abs(start) + static_cast<double>(size) * step);
-  std::size_t cell = 0;
-  for (std::size_t i = 0; i <= size; ++i) {
-    const double key = start + static_cast<double>(i) * step - early;
-    while (cell < last && key_of(cell + 1) <= key) ++cell;
-    guide[i] = static_cast<std::uint32_t>(cell);
-  }
-  return guide;
 }
 
 }  // namespace
@@ -100,38 +68,25 @@ void PiecewiseLinearDensity::build_cells() {
 }
 
 void PiecewiseLinearDensity::build_guides() {
-  const std::size_t last = cells_.size() - 2;
-  const std::size_t size = std::clamp<std::size_t>(std::bit_ceil(8 * cells_.size()), 64, 1 << 16);
-  u_scale_ = static_cast<double>(size);
-  x_scale_ = static_cast<double>(size) / (x_.back() - x_.front());
-  guide_u_ =
-      guide_table(size, 0.0, 1.0 / u_scale_, last_mass_, [this](std::size_t i) { return cells_[i].cdf; });
-  guide_x_ =
-      guide_table(size, x_.front(), 1.0 / x_scale_, last, [this](std::size_t i) { return cells_[i].x; });
-}
-
-std::size_t PiecewiseLinearDensity::cell_of_x(double x) const {
-  const auto entry = static_cast<std::size_t>((x - x_.front()) * x_scale_);
-  return last_at_or_before(guide_x_[entry], guide_x_[entry + 2], x,
-                           [this](std::size_t i) { return cells_[i].x; });
-}
-
-std::size_t PiecewiseLinearDensity::cell_of_u(double u) const {
-  const auto entry = static_cast<std::size_t>(u * u_scale_);
-  return last_at_or_before(guide_u_[entry], guide_u_[entry + 2], u,
-                           [this](std::size_t i) { return cells_[i].cdf; });
+  std::vector<double> x_end, u_end;
+  for (std::size_t i = 0; i + 1 < cells_.size(); ++i) x_end.push_back(cells_[i + 1].x);
+  for (std::size_t i = 0; i <= last_mass_; ++i) u_end.push_back(cells_[i + 1].cdf);
+  const auto steps =
+      static_cast<double>(std::clamp<std::size_t>(std::bit_ceil(4 * cells_.size()), 64, 1 << 16));
+  cell_of_x_ = GuideTable(x_.front(), std::move(x_end), steps / (x_.back() - x_.front()));
+  cell_of_u_ = GuideTable(0.0, std::move(u_end), steps);
 }
 
 double PiecewiseLinearDensity::density(double x) const {
   if (!(x >= x_.front() && x <= x_.back())) return 0.0;
-  const Cell& cell = cells_[cell_of_x(x)];
+  const Cell& cell = cells_[cell_of_x_.find(x)];
   return std::max(0.0, cell.f + cell.slope * (x - cell.x));
 }
 
 double PiecewiseLinearDensity::cdf(double x) const {
   if (!(x > x_.front())) return 0.0;
   if (x >= x_.back()) return 1.0;
-  const std::size_t i = cell_of_x(x);
+  const std::size_t i = cell_of_x_.find(x);
   const Cell& cell = cells_[i];
   const double s = x - cell.x;
   return std::min(cell.cdf + s * (cell.f + 0.5 * cell.slope * s), cells_[i + 1].cdf);
@@ -142,15 +97,31 @@ double PiecewiseLinearDensity::inverse(double u) const {
 }
 
 PiecewiseLinearDensity::Draw PiecewiseLinearDensity::draw(double u) const {
-  const std::size_t i = cell_of_u(std::clamp(u, 0.0, 1.0));
-  const Cell& cell = cells_[i];
-  // f·s + slope·s²/2 = rest; this form of the root neither cancels nor divides by a slope of zero, and the
-  // root itself is the density there.
-  const double rest = std::max(0.0, u - cell.cdf);
-  const double root = std::sqrt(std::max(0.0, cell.f * cell.f + 2.0 * cell.slope * rest));
-  const double sum = cell.f + root;
-  const double s = sum > 0.0 ? 2.0 * rest / sum : 0.0;
-  return {std::min(cell.x + s, cells_[i + 1].x), root};
+  u = std::clamp(u, 0.0, 1.0);
+  const Cell* cell = &cells_[cell_of_u_.find(u)];
+  const auto way = way_to(std::max(0.0, u - cell->cdf), cell->f, cell->slope);
+  return {std::min(cell->x + way.s, cell[1].x), way.density};
+}
+
+void PiecewiseLinearDensity::draw_strata(double u, std::span<double> x, std::span<double> density) const {
+  const auto strata = static_cast<double>(x.size());
+  std::size_t j = 0;
+  for (; j + 4 <= x.size(); j += 4) {
+    const Double4 v = (Double4{0.0, 1.0, 2.0, 3.0} + (u + static_cast<double>(j))) * (1.0 / strata);
+    const Cell *a = &cells_[cell_of_u_.find(v[0])], *b = &cells_[cell_of_u_.find(v[1])],
+               *c = &cells_[cell_of_u_.find(v[2])], *d = &cells_[cell_of_u_.find(v[3])];
+    auto start = load<Double4>(a), cdf = load<Double4>(b), f = load<Double4>(c), slope = load<Double4>(d);
+    transpose(start, cdf, f, slope);
+    const Double4 end{a[1].x, b[1].x, c[1].x, d[1].x}, mass = v - cdf;
+    const auto way = way_to(mass > 0.0 ? mass : Double4{}, f, slope);
+    const Double4 reached = start + way.s;
+    store(&x[j], reached < end ? reached : end);
+    store(&density[j], way.density * strata);
+  }
+  for (; j < x.size(); ++j) {
+    const Draw drawn = draw((u + static_cast<double>(j)) / strata);
+    x[j] = drawn.x, density[j] = drawn.density * strata;
+  }
 }
 
 }  // namespace photopic

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
+
+#include "spectral/guide_table.h"
 
 namespace photopic {
 
@@ -27,27 +28,26 @@ class PiecewiseLinearDensity {
   };
   Draw draw(double u) const;  ///< u in [0, 1]; never inside a cell without mass
 
+  /// A draw from each of N strata of equal probability: at (u + j)/N.
+  /// @param u in [0, 1)  @param x, density N of each; the densities are those within the strata, N times this
+  void draw_strata(double u, std::span<double> x, std::span<double> density) const;
+
   std::span<const double> x() const { return x_; }
   std::span<const double> value() const { return value_; }  ///< normalised
 
  private:
   /// A piece of positive width; s to the right of x the density is f + slope·s, the CDF cdf + s·(f +
   /// slope·s/2).
-  struct Cell {
+  struct alignas(32) Cell {
     double x, cdf, f, slope;
   };
   void normalise();
   void build_cells();
   void build_guides();
-  std::size_t cell_of_x(double x) const;
-  std::size_t cell_of_u(double u) const;
-
   std::vector<double> x_, value_;
-  std::vector<Cell> cells_;           ///< and behind them their end, {x_n, 1, 0, 0}
-  std::size_t last_mass_ = 0;         ///< the last cell that is not dark
-  double u_scale_ = 0, x_scale_ = 0;  ///< guide entries per unit
-  std::vector<std::uint32_t> guide_u_,
-      guide_x_;  ///< the cell at each entry's start, so that look-ups need not search
+  std::vector<Cell> cells_;    ///< and behind them their end, {x_n, 1, 0, 0}
+  std::size_t last_mass_ = 0;  ///< the last cell that is not dark
+  GuideTable cell_of_x_, cell_of_u_;
 };
 
 }  // namespace photopic

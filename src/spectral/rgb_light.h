@@ -21,8 +21,8 @@ struct SampledTints {
 
   SampledTints() = default;
   explicit SampledTints(SampledSpectrum<N> lambda) {
-    for (std::size_t i = 0; i < tint.size(); ++i)
-      for (int j = 0; j < N; ++j) tint[i].v[j] = rgb_tints()[i](lambda[j]);
+    const auto& tints = rgb_tints();
+    for (std::size_t i = 0; i < tint.size(); ++i) tint[i] = tints[i](lambda);
   }
 
   /// @param r, g, b not negative

@@ -17,9 +17,23 @@ struct SigmoidPolynomial {
   T operator()(T lambda) const {
     const T x = (lambda - T(kLambdaMin)) * T(1.0 / (kLambdaMax - kLambdaMin));
     const T y = (T(c0) * x + T(c1)) * x + T(c2);
-    if (std::isinf(y)) return y > 0 ? T(1) : T(0);
-    return T(0.5) + T(0.5) * y / std::sqrt(T(1) + y * y);
+    const T within = y > T(kSaturated) ? T(kSaturated) : y < T(-kSaturated) ? T(-kSaturated) : y;
+    return T(0.5) + T(0.5) * within / std::sqrt(T(1) + within * within);
   }
+
+  template <int N>
+  SampledSpectrum<N> operator()(SampledSpectrum<N> lambda) const {
+    using Vector = typename SampledSpectrum<N>::Vector;
+    const Vector x =
+        (lambda.v - static_cast<float>(kLambdaMin)) * static_cast<float>(1.0 / (kLambdaMax - kLambdaMin));
+    const Vector y = (c0 * x + c1) * x + c2, most = Vector{} + kSaturated;
+    const Vector below = y > most ? most : y;
+    const Vector within = below < -most ? -most : below;
+    return 0.5f + 0.5f * within / sqrt_of(1.0f + within * within);
+  }
+
+ private:
+  static constexpr float kSaturated = 1e9f;  ///< S is 0 or 1 there, and y² is finite
 };
 
 /// The sigmoid polynomial whose colour under D65 (CIE 1931) is the given linear sRGB reflectance, by
@@ -28,9 +42,10 @@ struct SigmoidPolynomial {
 SigmoidPolynomial upsample_reflectance(const Rgb& linear_srgb);
 
 /// The sigmoid that has this value in [0, 1] at all wavelengths, 0 and 1 exactly in single precision.
-inline SigmoidPolynomial constant_sigmoid(double value) {
-  constexpr double kSaturated = 1e5;  // where 1/2 + y/(2·sqrt(1 + y²)) rounds to 0 or 1
-  const double y = (value - 0.5) / std::sqrt(value * (1.0 - value));
+template <typename T>
+SigmoidPolynomial constant_sigmoid(T value) {
+  constexpr T kSaturated = 1e5;  // where 1/2 + y/(2·sqrt(1 + y²)) rounds to 0 or 1
+  const T y = (value - T(0.5)) / std::sqrt(value * (T(1) - value));
   return {0.0f, 0.0f, static_cast<float>(std::clamp(y, -kSaturated, kSaturated))};
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
+
+#include "spectral/float_vectors.h"
 
 namespace photopic {
 
@@ -10,36 +11,36 @@ namespace photopic {
 inline constexpr double kLambdaMin = 360.0;
 inline constexpr double kLambdaMax = 830.0;
 
-/// The processor's vectors of N floats. Spelled out: compilers ignore a vector size that depends on a
-/// template parameter when they compare overloads.
+/// The processor's vector of N floats. Spelled out: compilers ignore a vector size that depends on a template
+/// parameter when they compare overloads.
 template <int N>
 struct FloatLanes;
 template <>
 struct FloatLanes<1> {
-  using Type [[gnu::vector_size(4)]] = float;
+  using Type = Float1;
 };
 template <>
 struct FloatLanes<4> {
-  using Type [[gnu::vector_size(16)]] = float;
+  using Type = Float4;
 };
 template <>
 struct FloatLanes<8> {
-  using Type [[gnu::vector_size(32)]] = float;
+  using Type = Float8;
 };
 template <>
 struct FloatLanes<16> {
-  using Type [[gnu::vector_size(64)]] = float;
+  using Type = Float16;
 };
 
 /// N values of one spectral quantity, at the N wavelengths of the path they travel with; N is 1, 4, 8 or 16.
 template <int N>
 struct SampledSpectrum {
-  using Lanes = typename FloatLanes<N>::Type;
-  Lanes v;
+  using Vector = typename FloatLanes<N>::Type;
+  Vector v;
 
   SampledSpectrum() = default;
-  explicit SampledSpectrum(float value) : v(Lanes{} + value) {}
-  SampledSpectrum(Lanes lanes) : v(lanes) {}
+  explicit SampledSpectrum(float value) : v(Vector{} + value) {}
+  SampledSpectrum(Vector vector) : v(vector) {}
 
   float operator[](int i) const { return v[i]; }
   void set(int i, float value) { v[i] = value; }
@@ -55,22 +56,14 @@ struct SampledSpectrum {
   SampledSpectrum& operator*=(SampledSpectrum b) { return v *= b.v, *this; }
   SampledSpectrum& operator*=(float s) { return v *= s, *this; }
 
-  float max() const {
-    float m = v[0];
-    for (int i = 1; i < N; ++i) m = std::max(m, v[i]);
-    return m;
-  }
+  float max() const { return largest_of(v); }
   /// Whether nothing is left; not a number is not nothing.
   bool is_black() const {
     for (int i = 0; i < N; ++i)
       if (!(v[i] <= 0.0f)) return false;
     return true;
   }
-  float sum() const {
-    float s = v[0];
-    for (int i = 1; i < N; ++i) s += v[i];
-    return s;
-  }
+  float sum() const { return sum_of(v); }
 };
 
 /// The wavelengths of one path, with their densities, so that no estimate can forget the divide.

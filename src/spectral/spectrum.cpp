@@ -36,27 +36,18 @@ double blackbody(double kelvin, double lambda) {
 TabulatedSpectrum::TabulatedSpectrum(std::vector<double> lambda, std::vector<double> value, Beyond beyond)
     : lambda_(std::move(lambda)), value_(std::move(value)), beyond_(beyond) {
   check_table(lambda_, value_);
-  const std::size_t cells = std::min<std::size_t>(lambda_.size(), std::size_t{1} << 24);
-  cells_per_nm_ = static_cast<double>(cells) / (lambda_.back() - lambda_.front());
-  if (!std::isfinite(cells_per_nm_)) cells_per_nm_ = 0.0;
-  // One cell more, for the last knot itself.
-  knots_before_.assign(cells + 2, 0);
-  for (double knot : lambda_) ++knots_before_[cell_of(knot) + 1];
-  for (std::size_t i = 1; i < knots_before_.size(); ++i) knots_before_[i] += knots_before_[i - 1];
-}
-
-/// Non-decreasing in λ whatever the rounding, so a knot of an earlier cell is never to the right of λ.
-std::size_t TabulatedSpectrum::cell_of(double lambda) const {
-  return static_cast<std::size_t>((lambda - lambda_.front()) * cells_per_nm_);
+  const double range = lambda_.back() - lambda_.front();
+  if (!(range > 0.0)) return;
+  const std::size_t steps = std::min<std::size_t>(lambda_.size() - 1, std::size_t{1} << 24);
+  const double steps_per_nm = static_cast<double>(steps) / range;
+  cell_of_ = GuideTable(lambda_.front(), {lambda_.begin() + 1, lambda_.end()},
+                        std::isfinite(steps_per_nm) ? steps_per_nm : 0.0);
 }
 
 double TabulatedSpectrum::operator()(double lambda) const {
   if (!(lambda >= lambda_.front())) return std::isnan(lambda) ? lambda : outside(value_.front());
   if (lambda >= lambda_.back()) return lambda > lambda_.back() ? outside(value_.back()) : value_.back();
-  const std::size_t cell = cell_of(lambda);
-  const auto first = lambda_.begin() + knots_before_[cell], last = lambda_.begin() + knots_before_[cell + 1];
-  const std::size_t right = static_cast<std::size_t>(std::upper_bound(first, last, lambda) - lambda_.begin());
-  const std::size_t left = right - 1;
+  const std::size_t left = cell_of_.find(lambda), right = left + 1;
   const double f = (lambda - lambda_[left]) / (lambda_[right] - lambda_[left]);
   return value_[left] * (1.0 - f) + value_[right] * f;
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "spectral/guide_table.h"
 #include "spectral/rgb_upsampling.h"
 #include "spectral/sampled_spectrum.h"
 
@@ -55,13 +55,10 @@ class TabulatedSpectrum {
 
  private:
   double outside(double end_value) const { return beyond_ == Beyond::zero ? 0.0 : end_value; }
-  std::size_t cell_of(double lambda) const;
 
   std::vector<double> lambda_, value_;
   Beyond beyond_;
-  double cells_per_nm_ = 0;
-  std::vector<std::uint32_t>
-      knots_before_;  ///< for each index cell, and the end: how many knots lie in earlier cells
+  GuideTable cell_of_;  ///< of the cells between knots
 };
 
 using Spectrum =

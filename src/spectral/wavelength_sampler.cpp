@@ -58,11 +58,7 @@ double sum_at(const VisibleWavelengths& s, double lambda) {
 
 void draw(const IlluminantWavelengths& s, double u, std::span<double> lambda, std::span<double> sum) {
   // Stratum j has the density N·b inside it and none outside, so the N of them add up to N·b.
-  for (int j = 0; j < s.count; ++j) {
-    const auto drawn = s.base.draw((u + j) / s.count);
-    lambda[j] = drawn.x;
-    sum[j] = s.count * drawn.density;
-  }
+  s.base.draw_strata(u, lambda, sum);
 }
 
 double sum_at(const IlluminantWavelengths& s, double lambda) {

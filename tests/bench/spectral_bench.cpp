@@ -16,13 +16,13 @@ TabulatedSpectrum fluorescent_lamp() {
   return tabulate_emission(*cie_illuminant("FL11"));
 }
 
-/// Four neighbouring bumps on 48 nodes: as costly to draw from as an optimised distribution.
-WavelengthDistribution bumps(const TabulatedSpectrum& lamp) {
+/// Neighbouring bumps on 48 nodes: as costly to draw from as an optimised distribution.
+WavelengthDistribution bumps(const TabulatedSpectrum& lamp, int count) {
   WavelengthDistribution distribution{base_density(lamp), {}, {}, {}, {}};
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < count; ++k) {
     WavelengthDistribution::Component component;
     for (int i = 0; i < 48; ++i) {
-      const double distance = i / 47.0 - (k + 0.5) / 4.0;
+      const double distance = i / 47.0 - (k + 0.5) / count;
       component.nodes.push_back(std::exp(-50.0 * distance * distance));
     }
     component.backwards = k % 2 == 1;
@@ -31,20 +31,31 @@ WavelengthDistribution bumps(const TabulatedSpectrum& lamp) {
   return distribution;
 }
 
+template <int N>
 void draw(benchmark::State& state, const WavelengthSampler& sampler) {
   double u = 0.5;
   for (auto _ : state) {
     u = u + 0.618033988749895;  // the golden ratio: every stratum alike
     u -= std::floor(u);
-    SampledWavelengths<4> w = sample_wavelengths<4>(sampler, u);
+    SampledWavelengths<N> w = sample_wavelengths<N>(sampler, u);
     benchmark::DoNotOptimize(w);
   }
   state.SetItemsProcessed(state.iterations());
 }
-BENCHMARK_CAPTURE(draw, uniform, UniformWavelengths{4});
-BENCHMARK_CAPTURE(draw, visible, VisibleWavelengths{4});
-BENCHMARK_CAPTURE(draw, illuminant, IlluminantWavelengths{4, base_density(fluorescent_lamp())});
-BENCHMARK_CAPTURE(draw, optimized, OptimizedWavelengths(bumps(fluorescent_lamp())));
+
+template <int N>
+bool add_draws() {
+  const TabulatedSpectrum lamp = fluorescent_lamp();
+  const WavelengthSampler samplers[] = {UniformWavelengths{N}, VisibleWavelengths{N},
+                                        IlluminantWavelengths{N, base_density(lamp)},
+                                        OptimizedWavelengths(bumps(lamp, N))};
+  for (const WavelengthSampler& sampler : samplers) {
+    const std::string name = "draw/" + std::string(sampler_name(sampler)) + "/" + std::to_string(N);
+    benchmark::RegisterBenchmark(name.c_str(), draw<N>, sampler);
+  }
+  return true;
+}
+const bool added = add_draws<1>() && add_draws<4>() && add_draws<8>() && add_draws<16>();
 
 void upsample(benchmark::State& state) {
   Rgb rgb{0.2, 0.5, 0.7};

@@ -42,6 +42,7 @@ class Render(CommandTest):
         self.assertEqual((run["spp"], run["wavelengths"], run["sampler"]), (4, 4, "uniform"))
         self.assertEqual(run["resolution"], [20, 10])
         self.assertEqual(run["non_finite_samples"], 0)
+        self.assertEqual(run["non_finite_causes"], {})
         paths = run["samples_per_second"] * run["render_seconds"]
         self.assertAlmostEqual(paths, 20 * 10 * 4, delta=1e-3)
         self.assertGreater(run["mean_xyz"][1], 0)

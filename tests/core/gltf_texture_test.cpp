@@ -79,7 +79,8 @@ TEST_F(GltfTextures, EveryExtensionReadsItsChannel) {
   const Scene scene =
       load(file(R"({"extensions": {
     "KHR_materials_clearcoat": {"clearcoatFactor": 0.5, "clearcoatTexture": {"index": 0},
-      "clearcoatRoughnessFactor": 0.5, "clearcoatRoughnessTexture": {"index": 1}},
+      "clearcoatRoughnessFactor": 0.5, "clearcoatRoughnessTexture": {"index": 1},
+      "clearcoatNormalTexture": {"index": 2, "scale": 0.25}},
     "KHR_materials_sheen": {"sheenColorFactor": [1, 1, 1], "sheenColorTexture": {"index": 2},
       "sheenRoughnessFactor": 0.5, "sheenRoughnessTexture": {"index": 3}},
     "KHR_materials_anisotropy": {"anisotropyStrength": 0.5, "anisotropyRotation": 0.25,
@@ -97,6 +98,9 @@ TEST_F(GltfTextures, EveryExtensionReadsItsChannel) {
   const ShadingMaterial<1> m(surface, SampledSpectrum<1>(600.0f));
   EXPECT_NEAR(m.clearcoat(), 0.5f * 0.2f, 1e-6f);
   EXPECT_NEAR(m.clearcoat_roughness(), 0.5f * 0.4f, 1e-6f);
+  EXPECT_TRUE(surface.coat_has_normals && !surface.maps_normals && scene.materials[0].needs_tangents);
+  EXPECT_FALSE(surface.textures->clearcoat_normal.srgb);
+  EXPECT_EQ(surface.textures->clearcoat_normal_scale, 0.25f);
   EXPECT_NEAR(m.sheen_roughness(), 0.5f * 0.8f, 1e-6f);
   EXPECT_NEAR(m.grain().strength, 0.5f * 0.2f, 1e-6f);
   EXPECT_NEAR(m.grain().rotation, 0.25f + kPi, 0.01f);

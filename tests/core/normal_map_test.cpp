@@ -55,8 +55,10 @@ TEST(NormalMap, InstancesLikeWhatIsBaked) {
 
       const SurfacePoint a = surface_point(instanced, hit), b = surface_point(world, same);
       EXPECT_LT(length(a.shading_normal - b.shading_normal), 1e-5f);
-      const Vec3f bent = mapped_normal(instanced, hit, a, a.shading_normal, textures),
-                  expected = mapped_normal(world, same, b, b.shading_normal, textures);
+      const Vec3f bent = mapped_normal(instanced, hit, a, a.shading_normal, textures.normal,
+                                       textures.normal_scale),
+                  expected =
+                      mapped_normal(world, same, b, b.shading_normal, textures.normal, textures.normal_scale);
       EXPECT_LT(length(bent - expected), 1e-5f) << with_tangents << ' ' << scale.x;
       EXPECT_GT(length(bent - a.shading_normal), 0.1f);
     }

@@ -40,7 +40,7 @@ TEST(Sampling, SinCosTwoPi) {
   double worst = 0.0;
   for (int i = 0; i <= 1 << 20; ++i) {
     const float u = static_cast<float>(i) * 0x1p-20f;
-    const SinCos sc = sin_cos_two_pi(u);
+    const auto sc = sin_cos_two_pi(u);
     const double angle = 2.0 * std::numbers::pi * double{u};
     worst = std::max({worst, std::abs(sc.sin - std::sin(angle)), std::abs(sc.cos - std::cos(angle))});
   }
@@ -48,9 +48,9 @@ TEST(Sampling, SinCosTwoPi) {
 }
 
 TEST(Sampling, CosineHemisphere) {
-  EXPECT_GT(
-      sphere_p_value({0, 0, 1}, sample_cosine_hemisphere, [](Vec3f w) { return cosine_hemisphere_pdf(w.z); }),
-      1e-3);
+  EXPECT_GT(sphere_p_value({0, 0, 1}, sample_cosine_hemisphere<float>,
+                           [](Vec3f w) { return cosine_hemisphere_pdf(w.z); }),
+            1e-3);
 }
 
 /// Equal areas in barycentric coordinates are equal areas on the triangle: count in a fine grid's cells.

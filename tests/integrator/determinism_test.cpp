@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <functional>
+
 #include "integrator/integrator.h"
 #include "support/standard_scenes.h"
 #include "support/statistics.h"
@@ -115,6 +117,40 @@ TEST(Render, NonFiniteSamplesAreCountedAndLeftOut) {
     EXPECT_GT(r.stats.non_finite, 64u);
     EXPECT_LT(r.stats.non_finite, 192u);
     EXPECT_TRUE(std::isfinite(r.film.image_mean().y));
+  }
+}
+
+/// What a scene can do to spoil samples, and what is named as the cause; looking for it changes no count.
+TEST(Render, NonFiniteSamplesHaveACause) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  struct Spoilt {
+    std::function<void(Scene&)> how;
+    NonFiniteCause cause;
+  };
+  const Spoilt cases[] = {
+      {[](Scene& s) { s.materials[0].emission_luminance = kInfinity; }, NonFiniteCause::light_sample},
+      {[](Scene& s) { s.materials[2].emission_luminance = kInfinity; }, NonFiniteCause::emission},
+      {[](Scene& s) { s.materials[1].base_color = ConstantSpectrum{kInfinity}; }, NonFiniteCause::scattering},
+      {[](Scene& s) { s.camera.position.x = NAN; }, NonFiniteCause::camera},
+      {[](Scene& s) { s.emission_spectra[0] = s.emission_spectra[0].scaled(1e200); },
+       NonFiniteCause::wavelengths},
+  };
+  for (const Spoilt& spoilt : cases) {
+    SceneBuilder b;
+    b.ceiling({0, 0, 2}, 0.5, 0.5, b.lamp(d65(), 1.0));
+    b.floor({0, 0, 0}, 1, 1, b.material(diffuse(ConstantSpectrum{0.5})));
+    b.floor({0, 0.5, 0.1}, 0.3, 0.3, b.lamp(d65(), 1.0));
+    b.camera({0, 0, 1}, {0, 0, 0}, 90, 8, 8);
+    const PreparedScene sound(b.build());
+    const RenderOptions o{.spp = 4, .max_depth = 2};
+    Scene scene = b.build();
+    spoilt.how(scene);
+    const PreparedScene prepared(std::move(scene));
+    const RenderStats stats = render(prepared, UniformWavelengths{4}, o).stats;
+    EXPECT_GT(render_naive(prepared, UniformWavelengths{4}, o).stats.non_finite, 0u);
+    EXPECT_GT(stats.non_finite_causes[spoilt.cause], 0u);
+    EXPECT_EQ(stats.non_finite_causes.total(), stats.non_finite);
+    EXPECT_EQ(stats.paths, render(sound, UniformWavelengths{4}, o).stats.paths);
   }
 }
 

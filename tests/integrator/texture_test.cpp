@@ -115,17 +115,18 @@ class NormalMap : public testing::Test {
  protected:
   /// Lit by a lamp that stands where each tilt sees another part of its light. @param tilt of the normal, in
   /// x (the image's right) and y (its top)
-  static Scene scene(Vec2f tilt, bool mapped) {
+  /// @param material whose `map` is tilted
+  static Scene scene(Vec2f tilt, bool mapped, Material m = diffuse(ConstantSpectrum{0.8}),
+                     Texture MaterialTextures::*map = &MaterialTextures::normal) {
     SceneBuilder b;
     b.triangle({2, 0.5, 2.0}, {1.6, 1.2, 1.8}, {1.2, 0.4, 2.6}, b.lamp(d65(), 50.0, true));
-    Material m = diffuse(ConstantSpectrum{0.8});
     const double length = std::sqrt(1.0 + tilt.x * tilt.x + tilt.y * tilt.y);
     const auto code = [&](double v) {
       return static_cast<std::uint16_t>(std::lround((v / length + 1) * 32767.5));
     };
     if (mapped)
       m = textured(m, [&](MaterialTextures& t) {
-        t.normal.image = std::make_shared<TextureImage>(
+        (t.*map).image = std::make_shared<TextureImage>(
             TextureImage{"", 1, 1, 3, std::vector<std::uint16_t>{code(tilt.x), code(tilt.y), code(1)}});
       });
     const auto at = [&](double x, double y) { return Vec3d{x, y, mapped ? 0.0 : -tilt.x * x - tilt.y * y}; };
@@ -145,6 +146,21 @@ TEST_F(NormalMap, ConstantTiltIsATiltedPlane) {
     const double expected = luminance(film_of(scene(tilt, false), 512)).mean;
     expect_luminance(film_of(scene(tilt, true), 512), expected,
                      std::to_string(tilt.x) + " " + std::to_string(tilt.y), 0.01);
+  }
+}
+
+/// A clearcoat has the normals of its own map alone: not those of the base.
+TEST_F(NormalMap, OfClearcoats) {
+  Material coat = diffuse(ConstantSpectrum{0.0});
+  coat.extensions.clearcoat = 1.0f;
+  coat.extensions.clearcoat_roughness = 0.6f;
+  for (const Vec2f tilt : {Vec2f{0.5f, 0.2f}, {-0.2f, 0.1f}}) {
+    const double expected = luminance(film_of(scene(tilt, false, coat), 2048)).mean;
+    expect_luminance(film_of(scene(tilt, true, coat, &MaterialTextures::clearcoat_normal), 2048), expected,
+                     std::to_string(tilt.x), 0.01);
+    const double flat = luminance(film_of(scene({0, 0}, false, coat), 2048)).mean;
+    EXPECT_GT(std::abs(flat / expected - 1), 0.1);
+    expect_luminance(film_of(scene(tilt, true, coat), 2048), flat, "of the base", 0.01);
   }
 }
 
@@ -201,7 +217,11 @@ TEST(Textures, OracleAgrees) {
     t.metallic_roughness = image(false, true);
     t.normal = image(false, false);
     t.normal_scale = 0.4f;
+    t.clearcoat_normal = image(false, true);
+    t.clearcoat_normal_scale = 0.6f;
   });
+  leaf.extensions.clearcoat = 0.8f;
+  leaf.extensions.clearcoat_roughness = 0.3f;
   leaf.metallic = 0.7f;
   leaf.alpha_mode = AlphaMode::blend;
   b.box({-0.6, -0.2, -0.8}, {0.0, 0.4, 0.0}, b.material(leaf));

@@ -80,55 +80,5 @@ TEST(Instances, PacketsAndSingleRaysAgree) {
   }
 }
 
-TEST(Instances, RenderLikeWhatIsBaked) {
-  const Material materials[] = {diffuse(ConstantSpectrum{0.6}), metal(ConstantSpectrum{0.9}, 0.3f),
-                                solid_glass(1.5f, 0.0f)};
-  for (const Material& material : materials) {
-    for (const double scale : {1.0, 1e-3, 1e4}) {
-      SceneBuilder b = room_with_sphere(material);
-      b.place(scale);
-      std::vector<Affine> places = odd_places(1.0);
-      for (Affine& place : places) place.t = place.t * scale;
-      const Scene scene = with_instances(b.build(), places);
-      expect_same_image(render_finite(PreparedScene(scene), 150, 10, 1),
-                        render_finite(PreparedScene(baked(scene)), 150, 10, 2), 9, std::to_string(scale));
-    }
-  }
-}
-
-/// A white convex body in uniform light is as bright as the light: one shadow it throws on itself and it is
-/// darker. Also a kilometre from the coordinates' zero, and for prototypes of any size.
-TEST(Instances, NoShadowOnItself) {
-  for (const double size : {1.0, 1e-4, 1e4}) {
-    for (const Vec3d& move : {Vec3d{}, Vec3d{1000, -1000, 1000}, Vec3d{300, 2, -10}}) {
-      SceneBuilder b;
-      const double far = std::max(10.0, 4 * max_abs(move));
-      b.box({-far, -far, -far}, {far, far, far}, b.lamp(ConstantSpectrum{1.0}, 3.0), true);
-      b.sphere({}, size, 3, b.material(diffuse(ConstantSpectrum{1.0})), false);
-      b.camera(move + Vec3d{2.5, 0.3, 0.5}, move, 22, 8, 8);
-      for (const Vec3d& scale : {Vec3d{1, 1, 1}, Vec3d{-1, 0.6, 1.2}}) {
-        const Affine place = placement(scale * (1 / size), {1, -2, 0.5}, 1.1, move);
-        const Film film = render_finite(PreparedScene(with_instances(b.build(), {place})), 100, 3);
-        expect_luminance(film, 3.0, "size " + std::to_string(size) + ", at " + std::to_string(move.x), 1e-5);
-      }
-    }
-  }
-}
-
-/// A camera in a closed instance in a bright room sees nothing.
-TEST(Instances, NoLightLeaksIn) {
-  for (const Vec3d& move : {Vec3d{}, Vec3d{500, -700, 200}}) {
-    SceneBuilder b;
-    b.box({-3000, -3000, -3000}, {3000, 3000, 3000}, b.lamp(d65(), 1e6), true);
-    b.sphere({}, 1.0, 2, b.material(metal(ConstantSpectrum{0.95}, 0.4f)));
-    b.camera(move + Vec3d{0.1, -0.3, 0.2}, move + Vec3d{1, 1, 1}, 100, 8, 8);
-    for (const Vec3d& scale : {Vec3d{1, 1, 1}, Vec3d{-2, 0.7, 1.5}}) {
-      const Affine place = placement(scale, {2, 1, 1}, 0.8, move);
-      const Film film = render_finite(PreparedScene(with_instances(b.build(), {place})), 60, 20);
-      EXPECT_EQ(film.image_mean().y, 0.0) << move.x;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace photopic

@@ -54,7 +54,8 @@ void set_base_color(const GltfDocument& document, std::size_t index, Material& m
 void set_attributes(const GltfDocument& document, std::size_t index, Material& material) {
   for (const GltfTextureUse& use : gltf_texture_uses(document, index)) {
     material.uv_sets = static_cast<std::uint8_t>(material.uv_sets | 1u << use.uv_set);
-    if (use.slot == &MaterialTextures::normal) material.needs_tangents = true;
+    if (use.slot == &MaterialTextures::normal || use.slot == &MaterialTextures::clearcoat_normal)
+      material.needs_tangents = true;
   }
 }
 
@@ -116,17 +117,14 @@ Material load_material(const GltfDocument& document, std::size_t index) {
 }
 
 void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& warnings) {
-  std::size_t bright_specular = 0, unread = 0;
+  std::size_t bright_specular = 0;
   for (const tinygltf::Material& m : document.model.materials) {
     const Rgb color = Extension(m, "KHR_materials_specular").color("specularColorFactor");
     if (std::max({color.r, color.g, color.b}) > 1.0) ++bright_specular;
-    if (has_unread_textures(m)) ++unread;
   }
-  const auto add = [&](std::size_t count, const char* text) {
-    if (count > 0) warnings.push_back(fmt::format("{}: {}", text, count));
-  };
-  add(bright_specular, "materials with a specularColorFactor above 1, cut to 1");
-  add(unread, "materials with a clearcoatNormalTexture, which is not looked at");
+  if (bright_specular > 0)
+    warnings.push_back(
+        fmt::format("materials with a specularColorFactor above 1, cut to 1: {}", bright_specular));
 }
 
 }  // namespace

@@ -4,11 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/gltf/material.h"
 
 namespace photopic {
 namespace {
+
+constexpr int kMaxPriority = 1'000'000;
 
 std::string extras_pointer(std::size_t index, const char* key) {
   return fmt::format("/materials/{}/extras/{}", index, key);
@@ -65,6 +68,24 @@ void load_glass(const GltfDocument& document, std::size_t index, Material& mater
   if (!Extension(source, "KHR_materials_volume").has("thicknessFactor")) material.thin_walled = false;
 }
 
+/// "solid" says what KHR_materials_volume's thickness says, and overrules it.
+void load_medium(const GltfDocument& document, std::size_t index, Material& material) {
+  if (const tinygltf::Value* solid = extra(document, index, "solid")) {
+    if (!solid->IsBool())
+      document.fail(extras_pointer(index, "solid"), "is neither true nor false",
+                    "true makes transmission refract, false thin-walled");
+    material.thin_walled = !solid->Get<bool>();
+  }
+  if (const tinygltf::Value* priority = extra(document, index, "priority")) {
+    const double value = priority->IsNumber() ? priority->GetNumberAsDouble() : 0.5;
+    if (value != std::round(value) || std::abs(value) > kMaxPriority)
+      document.fail(extras_pointer(index, "priority"),
+                    fmt::format("is not a whole number from -{} to {}", kMaxPriority, kMaxPriority),
+                    "where glasses overlap, the one of the highest is there");
+    material.priority = static_cast<int>(value);
+  }
+}
+
 void load_dispersion(const tinygltf::Material& source, Material& material) {
   const float dispersion = Extension(source, "KHR_materials_dispersion").number("dispersion", 0.0);
   if (dispersion > 0.0f && material.ior >= 1.0f)
@@ -94,10 +115,6 @@ void load_surface(const tinygltf::Material& source, MaterialExtensions& x) {
 
 }  // namespace
 
-bool has_unread_textures(const tinygltf::Material& source) {
-  return Extension(source, "KHR_materials_clearcoat").has("clearcoatNormalTexture");
-}
-
 void load_material_extensions(const GltfDocument& document, std::size_t index, Material& material) {
   const tinygltf::Material& source = document.model.materials[index];
   load_coats(source, material.extensions);
@@ -105,6 +122,7 @@ void load_material_extensions(const GltfDocument& document, std::size_t index, M
   load_dispersion(source, material);
   load_conductor(document, index, material);
   load_glass(document, index, material);
+  load_medium(document, index, material);
   if (material.extensions.anisotropy > 0.0f) {
     material.needs_tangents = true;
     material.uv_sets |= 1u;  // the grain follows TEXCOORD_0 where there are no tangents

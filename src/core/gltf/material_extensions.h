@@ -30,11 +30,9 @@ class Extension {
 
 /// Fills material.extensions from glTF's extensions and from `extras`: "conductor", a metal's name; "glass",
 /// a glass's name or {"cauchy": [A, B in µm²]}. Glass by extras transmits and, unless KHR_materials_volume
-/// says otherwise, is solid. The rest of the material must have been loaded.
+/// says otherwise, is solid. "solid", true or false, overrules that; "priority" is a whole number. The rest
+/// of the material must have been loaded.
 /// @throws InputError
 void load_material_extensions(const GltfDocument& document, std::size_t index, Material& material);
-
-/// Whether textures vary an extension of load_material_extensions, which reads its factors alone.
-bool has_unread_textures(const tinygltf::Material& source);
 
 }  // namespace photopic

@@ -95,6 +95,13 @@ Wrap wrap_of(int code) {
   return code == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirror : Wrap::repeat;
 }
 
+float clearcoat_normal_scale(const tinygltf::Material& source) {
+  const auto clearcoat = source.extensions.find("KHR_materials_clearcoat");
+  if (clearcoat == source.extensions.end() || !clearcoat->second.Has("clearcoatNormalTexture")) return 1.0f;
+  const tinygltf::Value& info = clearcoat->second.Get("clearcoatNormalTexture");
+  return info.Has("scale") ? static_cast<float>(info.Get("scale").GetNumberAsDouble()) : 1.0f;
+}
+
 Texture make_texture(const GltfDocument& document, const GltfTextureUse& use,
                      std::shared_ptr<const TextureImage> image) {
   Texture texture{
@@ -130,6 +137,7 @@ std::vector<GltfTextureUse> gltf_texture_uses(const GltfDocument& document, std:
   uses.add_of_extension(&M::clearcoat, "KHR_materials_clearcoat", "clearcoatTexture", false);
   uses.add_of_extension(&M::clearcoat_roughness, "KHR_materials_clearcoat", "clearcoatRoughnessTexture",
                         false);
+  uses.add_of_extension(&M::clearcoat_normal, "KHR_materials_clearcoat", "clearcoatNormalTexture", false);
   uses.add_of_extension(&M::sheen_color, "KHR_materials_sheen", "sheenColorTexture", true);
   uses.add_of_extension(&M::sheen_roughness, "KHR_materials_sheen", "sheenRoughnessTexture", false);
   uses.add_of_extension(&M::anisotropy, "KHR_materials_anisotropy", "anisotropyTexture", false);
@@ -162,7 +170,9 @@ void load_gltf_textures(const GltfDocument& document, Scene& scene) {
       const auto image = static_cast<std::size_t>(image_of(document, use.texture));
       (*textures).*use.slot = make_texture(document, use, images[image]);
     }
-    textures->normal_scale = static_cast<float>(document.model.materials[material].normalTexture.scale);
+    const tinygltf::Material& source = document.model.materials[material];
+    textures->normal_scale = static_cast<float>(source.normalTexture.scale);
+    textures->clearcoat_normal_scale = clearcoat_normal_scale(source);
     scene.materials[material].textures = std::move(textures);
   }
 }

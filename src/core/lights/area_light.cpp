@@ -8,9 +8,11 @@
 namespace photopic {
 namespace {
 
-/// Squared distance in squared extents of the light beyond which solid angle and area are sampled alike.
+/// Squared distance in squared longest edges of the light beyond which solid angle and area are sampled
+/// alike.
 constexpr float kFar2 = 3.0f;
-/// Squared height above the plane, likewise, below which the solid angle is lost in rounding.
+/// Squared height above the plane, likewise, below which the solid angle is lost in rounding; as it is where
+/// the height itself may be nothing but rounding.
 constexpr float kTouching2 = 1e-11f;
 
 using Corners = std::array<Vec3f, 3>;
@@ -43,8 +45,8 @@ int steps_across(const Geometry& geometry, const Surface& surface, std::uint32_t
 
 /// The mean luminance over a triangle on which emission or coverage vary, from points spread evenly over
 /// it.
-float mean_luminance(const Scene& scene, std::span<const Surface> surfaces, std::uint32_t material,
-                     std::uint32_t triangle) {
+float luminance_of(const Scene& scene, std::span<const Surface> surfaces, std::uint32_t material,
+                   std::uint32_t triangle) {
   const float luminance = scene.materials[material].emission_luminance;
   if (surfaces.empty()) return luminance;
   const Surface& surface = surfaces[material];
@@ -83,50 +85,39 @@ std::optional<Outline> parallelogram(const Corners& first, const Corners& second
   return {};
 }
 
-std::optional<AreaLight> make_light(const Scene& scene, std::span<const Surface> surfaces,
-                                    const Outline& outline, bool whole, float error, std::uint32_t material,
-                                    std::uint32_t triangle) {
+std::optional<AreaLight> make_light(const Outline& outline, bool whole, float error, bool double_sided,
+                                    std::uint32_t material, std::uint32_t triangle) {
   const Vec3d n = cross(to_double(outline.edge1), to_double(outline.edge2));
   const double area = length(n) * (whole ? 1.0 : 0.5);
   if (!(area > 0.0)) return {};
   const Vec3f e1 = outline.edge1, e2 = outline.edge2;
   const float shrink = shrink_to_middle(error, std::max(max_abs(e1), max_abs(e2)));
-  float mean = mean_luminance(scene, surfaces, material, triangle);
-  if (whole) mean = 0.5f * (mean + mean_luminance(scene, surfaces, material, triangle + 1));
-  const Material& m = scene.materials[material];
   return AreaLight{.vertex = outline.vertex + (e1 + e2) * (shrink * (whole ? 0.5f : 1.0f / 3.0f)),
                    .edge1 = e1 * (1.0f - shrink),
                    .edge2 = e2 * (1.0f - shrink),
                    .normal = to_float(normalize(n)),
                    .area = static_cast<float>(area),
-                   .far2 = kFar2 * std::max(dot(e1, e1), dot(e2, e2)),
-                   .luminance = m.emission_luminance,
-                   .mean_luminance = mean,
                    .error = error,
-                   .material = material,
                    .triangle = triangle,
-                   .spectrum = m.emission_spectrum,
+                   .material = material & 0x3fffffffu,
                    .parallelogram = whole,
-                   .double_sided = m.double_sided};
+                   .double_sided = double_sided};
 }
 
 SphericalPolygon seen_from(Vec3f from, const AreaLight& light, float height) {
-  const Vec3f a = light.vertex - from, b = a + light.edge1;
-  const float volume = std::abs(height) * light.area * (light.parallelogram ? 1.0f : 2.0f);
-  if (light.parallelogram) return {{a, b, b + light.edge2, a + light.edge2}, 4, volume};
-  return {{a, b, a + light.edge2, {}}, 3, volume};
+  const Vec3f a = light.vertex - from, b = a + light.edge1, c = a + light.edge2;
+  if (light.parallelogram) return {{a, b, b + light.edge2, c}, 4, std::abs(height) * light.area};
+  return {{a, b, c, c}, 3, 2.0f * std::abs(height) * light.area};
 }
 
 bool is_by_area(Vec3f from, const AreaLight& light, float height) {
   const Vec3f to_middle = light.middle() - from;
-  return dot(to_middle, to_middle) > light.far2 || height * height < kTouching2 * light.far2;
+  const float extent2 = light.extent2();
+  return dot(to_middle, to_middle) > kFar2 * extent2 || height * height < kTouching2 * extent2 ||
+         std::abs(height) < light.rounding(from);
 }
 
 }  // namespace
-
-double AreaLight::power() const {
-  return std::numbers::pi * mean_luminance * area * (double_sided ? 2.0 : 1.0);
-}
 
 std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
   const float h = height(from);
@@ -138,7 +129,7 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
     const Vec3f to_point = vertex - from + edge1 * b.x + edge2 * b.y;
     const float distance2 = dot(to_point, to_point);
     s.distance = std::sqrt(distance2);
-    s.direction = to_point / s.distance;
+    s.direction = to_point * (1.0f / s.distance);
     s.pdf = distance2 * s.distance / (std::abs(h) * area);
     half = b.x > b.y ? 0 : 1;
   } else {
@@ -151,12 +142,37 @@ std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
     s.pdf = 1.0f / polygon.solid_angle();
     half = way.part;
   }
-  s.end = from + s.direction * s.distance + normal * (h < 0.0f ? error : -error);
-  s.radiance = luminance;
-  s.spectrum = spectrum;
+  const float away = rounding(from);
+  s.end = from + s.direction * s.distance + normal * (h < 0.0f ? away : -away);
   s.material = material;
   s.triangle = triangle + (parallelogram && half == 0 ? 1u : 0u);
   return s;
+}
+
+void AreaLight::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& s) const {
+  const Vec3Lanes n = to_lanes(normal), to_vertex = to_lanes(vertex) - from,
+                  to_middle = to_lanes(middle()) - from;
+  const Lanes h = dot(n, to_vertex);
+  s.reached = double_sided ? h != 0.0f : h < 0.0f;
+  const Lanes away = rounding(from);
+  const IntLanes near = s.reached & (dot(to_middle, to_middle) <= kFar2 * extent2()) &
+                        (h * h >= kTouching2 * extent2()) & (abs(h) >= away);
+
+  // By area.
+  const Sample2dLanes b = parallelogram ? u : sample_triangle(u);
+  const Vec3Lanes to_point = to_vertex + to_lanes(edge1) * b.x + to_lanes(edge2) * b.y;
+  const Lanes distance2 = dot(to_point, to_point);
+  s.distance = sqrt(distance2);
+  s.direction = to_point / s.distance;
+  s.pdf = distance2 * s.distance / (abs(h) * area);
+  s.end = from + to_point + n * select(h < 0.0f, away, -away);
+  s.material = UintLanes{} + material;
+  s.triangle = UintLanes{} + triangle;
+  if (parallelogram) s.triangle += b.x > b.y ? UintLanes{} + 1u : UintLanes{};
+
+  // By solid angle, where the light looms large.
+  for (int i = 0; i < kLanes; ++i)
+    if (near[i]) s.set(i, sample(lane(from, i), lane(u, i)));
 }
 
 float AreaLight::pdf(Vec3f from, float distance) const {
@@ -167,8 +183,14 @@ float AreaLight::pdf(Vec3f from, float distance) const {
   return solid_angle > 0.0f ? 1.0f / solid_angle : 0.0f;
 }
 
+double AreaLights::power(std::uint32_t light) const {
+  const AreaLight& l = lights_[light];
+  return std::numbers::pi * mean_luminance_[light] * l.area * (l.double_sided ? 2.0 : 1.0);
+}
+
 AreaLights::AreaLights(const Scene& scene, std::span<const Surface> surfaces) {
   const Geometry& geometry = scene.geometry;
+  for (const Material& m : scene.materials) emissions_.push_back({m.emission_luminance, m.emission_spectrum});
   const auto error_of = [](const Corners& c) { return position_error(c[0], c[1], c[2]); };
   for (const Shape& shape : geometry.shapes) {
     offset_of_shape_.push_back(shape.first_triangle - static_cast<std::uint32_t>(light_of_triangle_.size()));
@@ -182,11 +204,16 @@ AreaLights::AreaLights(const Scene& scene, std::span<const Surface> surfaces) {
       if (i + 1 < shape.triangle_count)
         whole = parallelogram(corners, corners_of(geometry, triangle + 1), error);
       const Outline half{corners[0], corners[1] - corners[0], corners[2] - corners[0]};
-      const auto light = make_light(scene, surfaces, whole.value_or(half), whole.has_value(), error,
+      const auto light = make_light(whole.value_or(half), whole.has_value(), error, material.double_sided,
                                     shape.material, triangle);
       const auto index = static_cast<std::uint32_t>(lights_.size());
       light_of_triangle_.insert(light_of_triangle_.end(), whole ? 2 : 1, light ? index : kNoLight);
-      if (light) lights_.push_back(*light);
+      if (light) {
+        float mean = luminance_of(scene, surfaces, shape.material, triangle);
+        if (whole) mean = 0.5f * (mean + luminance_of(scene, surfaces, shape.material, triangle + 1));
+        lights_.push_back(*light);
+        mean_luminance_.push_back(mean);
+      }
       if (whole) ++i;
     }
   }

@@ -4,41 +4,52 @@
 #include <span>
 #include <vector>
 
-#include "core/lights/light.h"
+#include "core/lights/light_sample_lanes.h"
 #include "core/sampling.h"
 #include "core/scene.h"
 #include "core/surface.h"
+#include "core/surface_point.h"
 
 namespace photopic {
 
 /// A glowing triangle, or two that make a parallelogram. Sampled uniformly by solid angle where it looks
-/// large, by area where it is so far that both are nearly the same.
-struct AreaLight {
+/// large, by area where it is so far that both are nearly the same. A line of memory: of many lights, each
+/// choice waits for one.
+struct alignas(64) AreaLight {
   Vec3f vertex, edge1, edge2;  ///< drawn towards the middle a little; see shrink_to_middle
   Vec3f normal;                ///< of the front, unit
   float area;                  ///< [m²]
-  float far2;                  ///< squared distance of the middle beyond which it is sampled by area [m²]
-  float luminance;             ///< before what varies over the surface [cd/m²]
-  float mean_luminance;        ///< with it, as far as a few points tell: what the light is chosen by [cd/m²]
   float error;                 ///< bound on a point's distance from its triangle's plane [m]
-  std::uint32_t material;
-  std::uint32_t triangle;  ///< its first
-  int spectrum;
-  bool parallelogram;  ///< else a triangle; the half on edge1 is then the second triangle
-  bool double_sided;
+  std::uint32_t triangle;      ///< its first
+  std::uint32_t material : 30;
+  bool parallelogram : 1;  ///< else a triangle; the half on edge1 is then the second triangle
+  bool double_sided : 1;
 
   Vec3f middle() const { return vertex + (edge1 + edge2) * (parallelogram ? 0.5f : 1.0f / 3.0f); }
-  double power() const;  ///< luminous flux [lm]
 
   /// How far the plane lies in front of a point, along the normal: negative in front of the light [m].
   float height(Vec3f from) const { return dot(normal, vertex - from); }
 
-  /// Nothing where it cannot be seen from.
+  /// Squared, of its longer edge [m²].
+  float extent2() const { return std::max(dot(edge1, edge1), dot(edge2, edge2)); }
+
+  /// Bound on what rounding does to that height, and to a ray from there to the light [m]: it grows with the
+  /// coordinates of either.
+  template <typename T>
+  T rounding(Vec3<T> from) const {
+    return max(T{} + error, kPositionError * max_abs(from));
+  }
+
+  /// Nothing where it cannot be seen from. What it emits is for the caller to fill in.
   std::optional<LightSample> sample(Vec3f from, Sample2d u) const;
+
+  /// The same from 16 points at once.
+  void sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const;
 
   /// The density of sample() [1/sr] in the direction of a point of it. @param distance to it [m]
   float pdf(Vec3f from, float distance) const;
 };
+static_assert(sizeof(AreaLight) == 64);
 
 /// A scene's area lights, and which of them a triangle belongs to.
 class AreaLights {
@@ -48,6 +59,17 @@ class AreaLights {
 
   const std::vector<AreaLight>& list() const { return lights_; }
 
+  /// What a light is chosen by: with what varies over it, as far as a few points tell.
+  float mean_luminance(std::uint32_t light) const { return mean_luminance_[light]; }  ///< [cd/m²]
+  double power(std::uint32_t light) const;                                            ///< luminous flux [lm]
+
+  /// What a material's lights emit.
+  struct Emission {
+    float luminance;  ///< before what varies over the surface [cd/m²]
+    int spectrum;     ///< index into Scene::emission_spectra
+  };
+  const Emission& emission(const AreaLight& light) const { return emissions_[light.material]; }
+
   /// @return kNoLight for a triangle without area
   std::uint32_t light_of(std::uint32_t shape, std::uint32_t triangle) const {
     return light_of_triangle_[triangle - offset_of_shape_[shape]];
@@ -55,6 +77,8 @@ class AreaLights {
 
  private:
   std::vector<AreaLight> lights_;
+  std::vector<float> mean_luminance_;             ///< of each light
+  std::vector<Emission> emissions_;               ///< of each material
   std::vector<std::uint32_t> offset_of_shape_;    ///< its first triangle less its place in light_of_triangle_
   std::vector<std::uint32_t> light_of_triangle_;  ///< of the triangles of shapes that emit
 };

@@ -62,7 +62,8 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
   std::vector<double> power;
   std::vector<int> spectrum;
   const auto add = [&](double p, int k) { power.push_back(p), spectrum.push_back(k); };
-  for (const AreaLight& light : area_lights_.list()) add(light.power(), light.spectrum);
+  for (std::uint32_t i = 0; i < area_lights_.list().size(); ++i)
+    add(area_lights_.power(i), area_lights_.emission(area_lights_.list()[i]).spectrum);
   for (const PunctualLight& light : punctual_lights_) add(light.power(radius), light.emission_spectrum);
   if (environment_)
     add(environment_->flux_density() * kPiD * radius * radius, environment_->emission_spectrum);
@@ -90,6 +91,10 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
     only_spectrum_ = static_cast<int>(k);
     make_group(groups_[k], members[k], power);
     for (const std::uint32_t i : members[k]) share_of_spectrum_[k] += static_cast<float>(power[i]);
+  }
+  if (lit_spectra_ == 1) {
+    const auto& lights = groups_[static_cast<std::size_t>(only_spectrum_)].lights;
+    if (lights.size() == 1 && lights[0] < area_lights_.list().size()) only_area_light_ = lights[0];
   }
 }
 
@@ -119,15 +124,16 @@ void LightSampler::make_group(Group& group, std::span<const std::uint32_t> membe
     uses_normals_ = true;
     const std::uint32_t entry = add_entry(kNoLight, 0.0);
     std::vector<LightBounds> bounds;
+    std::vector<std::uint32_t> names;
     for (const std::uint32_t i : members) {
       if (is_unbounded(i)) continue;
       places_[i] = {entry, static_cast<std::uint32_t>(bounds.size())};
-      group.tree_lights.push_back(i);
+      names.push_back(i);
       bounds.push_back(bounds_of(i));
       bounds.back().power = static_cast<float>(weight[i]);
       entries[entry] += weight[i];
     }
-    group.tree = LightTree(bounds);
+    group.tree = LightTree(bounds, names);
   }
   for (const std::uint32_t i : members)
     if (group.tree.empty() || is_unbounded(i)) places_[i] = {add_entry(i, weight[i]), 0};
@@ -164,7 +170,7 @@ std::optional<LightSample> LightSampler::sample(const LightReference& at, std::s
   if (light == kNoLight) {
     const LightTree::Choice choice = group.tree.choose(at, u_choice);
     if (choice.light == kNoLight) return {};
-    light = group.tree_lights[choice.light];
+    light = choice.light;
     probability *= choice.probability;
   }
 
@@ -175,7 +181,15 @@ std::optional<LightSample> LightSampler::sample(const LightReference& at, std::s
 
 std::optional<LightSample> LightSampler::sample_light(std::uint32_t light, Vec3f from, Sample2d u) const {
   const std::size_t areas = area_lights_.list().size();
-  if (light < areas) return area_lights_.list()[light].sample(from, u);
+  if (light < areas) {
+    const AreaLight& area_light = area_lights_.list()[light];
+    std::optional<LightSample> s = area_light.sample(from, u);
+    if (s) {
+      s->radiance = area_lights_.emission(area_light).luminance;
+      s->spectrum = area_lights_.emission(area_light).spectrum;
+    }
+    return s;
+  }
   if (light < environment_index()) return punctual_lights_[light - areas].sample(from);
   const Environment::Sample way = environment_->sample(u);
   if (!(way.pdf > 0.0f)) return {};
@@ -213,7 +227,7 @@ float LightSampler::pdf(const LightReference& at, std::span<const float> spectra
   const std::uint32_t i = area_lights_.light_of(shape, triangle);
   if (i == kNoLight) return 0.0f;
   const AreaLight& light = area_lights_.list()[i];
-  const float probability = choice_probability(at, spectra, light.spectrum, i);
+  const float probability = choice_probability(at, spectra, area_lights_.emission(light).spectrum, i);
   return probability > 0.0f ? probability * light.pdf(at.position, distance) : 0.0f;
 }
 

@@ -37,6 +37,16 @@ class LightSampler {
   std::optional<LightSample> sample(const LightReference& at, std::span<const float> spectra, double u_choice,
                                     Sample2d u) const;
 
+  /// The same from 16 points at once, where one lamp is all there is. @return whether that is so
+  bool sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const {
+    if (!only_area_light_) return false;
+    const AreaLight& light = area_lights_.list()[*only_area_light_];
+    light.sample(from, u, samples);
+    samples.radiance = Lanes{} + area_lights_.emission(light).luminance;
+    samples.spectrum = IntLanes{} + area_lights_.emission(light).spectrum;
+    return true;
+  }
+
   /// The density with which sample() gives a direction that ends at a glowing triangle [1/sr].
   /// @param distance to the hit [m]
   float pdf(const LightReference& at, std::span<const float> spectra, std::uint32_t shape,
@@ -54,7 +64,6 @@ class LightSampler {
     AliasTable table;
     std::vector<std::uint32_t> lights;  ///< of each entry of the table; kNoLight: the tree
     LightTree tree;
-    std::vector<std::uint32_t> tree_lights;
   };
   /// Where a light stands in its group.
   struct Place {
@@ -83,6 +92,7 @@ class LightSampler {
   int lit_spectra_ = 0;
   int only_spectrum_ = 0;  ///< where there is but one
   bool uses_normals_ = false;
+  std::optional<std::uint32_t> only_area_light_;  ///< where there is no other light
 };
 
 }  // namespace photopic

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/sampling.h"
+#include "spectral/float_vectors.h"
 
 namespace photopic {
 
@@ -12,23 +13,30 @@ namespace photopic {
 /// (Arvo 1995).
 class SphericalPolygon {
  public:
-  /// @param vertices 3 or 4, in order about the polygon, relative to the viewer [m]
+  /// @param vertices 3 or 4, in order about the polygon, relative to the viewer [m]; of a triangle the fourth
+  /// is a repetition
   /// @param volume of the parallelepiped that each triangle of the fan spans with the viewer, > 0 [m³]
   SphericalPolygon(const std::array<Vec3f, 4>& vertices, int count, float volume) : parts_(count - 2) {
-    std::array<float, 4> inverse_length;
-    for (int i = 0; i < count; ++i) {
-      inverse_length[i] = 1.0f / length(vertices[i]);
-      unit_[i] = vertices[i] * inverse_length[i];
+    Float4 x, y, z, inverse_length;
+    for (int i = 0; i < 4; ++i) {
+      const Vec3f v = vertices[static_cast<std::size_t>(i)];
+      x[i] = v.x, y[i] = v.y, z[i] = v.z;
     }
+    const Float4 squared = x * x + y * y + z * z;
+    for (int i = 0; i < 4; ++i) inverse_length[i] = std::sqrt(squared[i]);
+    inverse_length = 1.0f / inverse_length;
+    x *= inverse_length, y *= inverse_length, z *= inverse_length;
+    for (int i = 0; i < 4; ++i) unit_[static_cast<std::size_t>(i)] = {x[i], y[i], z[i]};
     for (int i = 0; i < parts_; ++i) {
-      const Vec3f a = unit_[0], b = unit_[i + 1], c = unit_[i + 2];
+      const auto k = static_cast<std::size_t>(i);
+      const Vec3f a = unit_[0], b = unit_[k + 1], c = unit_[k + 2];
       // Van Oosterom & Strackee 1983; the volume keeps small angles exact, the sum those near a half turn.
-      Part& p = part_[i];
+      Part& p = part_[k];
       p.sine = volume * inverse_length[0] * inverse_length[i + 1] * inverse_length[i + 2];
       const Vec3f sum = a + b;
       p.cosines = dot(sum, c);
       p.one_plus_cosine = 0.5f * dot(sum, sum);
-      p.solid_angle = 2.0f * std::atan2(p.sine, p.one_plus_cosine + p.cosines);
+      p.solid_angle = 2.0f * angle_above(p.sine, p.one_plus_cosine + p.cosines);
       solid_angle_ += p.solid_angle;
     }
   }
@@ -45,7 +53,7 @@ class SphericalPolygon {
     const int i = parts_ == 2 && angle >= part_[0].solid_angle ? 1 : 0;
     if (i == 1) angle -= part_[0].solid_angle;
     const Part& p = part_[i];
-    const SinCos half = sin_cos_two_pi(std::clamp(angle, 0.0f, p.solid_angle) * (0.25f / kPi));
+    const auto half = sin_cos_two_pi(std::clamp(angle, 0.0f, p.solid_angle) * (0.25f / kPi));
     const Vec3f a = unit_[0], b = unit_[i + 1];
     const Vec3f middle =
         b * (p.sine * half.cos - p.cosines * half.sin) + unit_[i + 2] * (p.one_plus_cosine * half.sin);
@@ -57,7 +65,8 @@ class SphericalPolygon {
     const Vec3f across = chord - a * dot(chord, a);
     const float across2 = dot(across, across);
     if (!(across2 > 0.0f)) return {a, i};
-    return {normalize(a * (1.0f - drop) + across * std::sqrt(drop * (2.0f - drop) / across2)), i};
+    const Vec3f way = a * (1.0f - drop) + across * std::sqrt(drop * (2.0f - drop) / across2);
+    return {way * (1.0f / length(way)), i};
   }
 
  private:

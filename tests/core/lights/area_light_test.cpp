@@ -163,7 +163,7 @@ TEST(AreaLight, PairsOfTriangles) {
   EXPECT_NE(lights.light_of(1, 2), lights.light_of(1, 3));
   EXPECT_EQ(lights.light_of(2, 4), kNoLight);
   double power = 0.0;
-  for (const AreaLight& light : lights.list()) power += light.power();
+  for (std::uint32_t i = 0; i < 9; ++i) power += lights.power(i);
   EXPECT_NEAR(power, kPiD * (1.0 + (0.5 + 0.75) + 6.0), 1e-5);
 }
 

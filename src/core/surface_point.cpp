@@ -1,0 +1,65 @@
+#include "core/surface_point.h"
+
+namespace photopic {
+namespace {
+
+/// Vertex k of the triangles that were hit, in the space they were modelled in.
+Vec3Lanes corners(const Geometry& geometry, const std::vector<Vec3f>& values, std::span<const Hit> hits,
+                  const Packet& packet, std::size_t k) {
+  Vec3Lanes r;
+  for (int i = 0; i < kLanes; ++i) set_lane(r, i, values[geometry.triangles[hits[packet[i]].triangle][k]]);
+  return r;
+}
+
+Vec3f interpolated_normal(const Geometry& geometry, const Hit& hit) {
+  const auto& [a, b, c] = geometry.triangles[hit.triangle];
+  const Vec3f n = geometry.normals[a] * (1.0f - hit.u - hit.v) + geometry.normals[b] * hit.u +
+                  geometry.normals[c] * hit.v;
+  return hit.instance == kNoInstance ? n : geometry.instances[hit.instance].to_world.normal(n);
+}
+
+/// Of an instance, which mirrors its triangles' front when its determinant is negative.
+SurfacePoint instance_point(const Geometry& geometry, const Hit& hit) {
+  const Instance& instance = geometry.instances[hit.instance];
+  const auto& [ia, ib, ic] = geometry.triangles[hit.triangle];
+  const Vec3f a = geometry.positions[ia];
+  const Affinef& m = instance.to_world;
+  SurfacePoint point = point_on_triangle(m.point(a), m.vector(geometry.positions[ib] - a),
+                                         m.vector(geometry.positions[ic] - a), instance.error, hit.u, hit.v);
+  if (m.determinant() < 0.0f) point.geometric_normal = -point.geometric_normal;
+  point.shading_normal = point.geometric_normal;
+  if (!geometry.normals.empty()) bend_normal(point, interpolated_normal(geometry, hit));
+  return point;
+}
+
+}  // namespace
+
+SurfacePoint surface_point(const Geometry& geometry, const Hit& hit) {
+  if (hit.instance != kNoInstance) return instance_point(geometry, hit);
+  const auto& [ia, ib, ic] = geometry.triangles[hit.triangle];
+  const Vec3f a = geometry.positions[ia], b = geometry.positions[ib], c = geometry.positions[ic];
+  SurfacePoint point = point_on_triangle(a, b - a, c - a, position_error(a, b, c), hit.u, hit.v);
+  if (!geometry.normals.empty()) bend_normal(point, interpolated_normal(geometry, hit));
+  return point;
+}
+
+SurfacePointLanes surface_points(const Geometry& geometry, std::span<const Hit> hits, const Packet& packet) {
+  Lanes u, v;
+  for (int i = 0; i < kLanes; ++i) u[i] = hits[packet[i]].u, v[i] = hits[packet[i]].v;
+  const auto corner = [&](const std::vector<Vec3f>& of, std::size_t k) {
+    return corners(geometry, of, hits, packet, k);
+  };
+  const Vec3Lanes a = corner(geometry.positions, 0), b = corner(geometry.positions, 1),
+                  c = corner(geometry.positions, 2);
+  SurfacePointLanes points = point_on_triangle(a, b - a, c - a, position_error(a, b, c), u, v);
+  if (!geometry.normals.empty())
+    bend_normal(points, corner(geometry.normals, 0) * (1.0f - u - v) + corner(geometry.normals, 1) * u +
+                            corner(geometry.normals, 2) * v);
+  if (geometry.instances.empty()) return points;
+  for (int i = 0; i < kLanes; ++i)
+    if (hits[packet[i]].instance != kNoInstance)
+      set_lane(points, i, instance_point(geometry, hits[packet[i]]));
+  return points;
+}
+
+}  // namespace photopic

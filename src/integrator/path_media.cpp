@@ -1,0 +1,50 @@
+#include <algorithm>
+
+#include "integrator/path_stages.h"
+
+namespace photopic {
+
+/// The stages of paths in scenes that have media.
+
+/// From the last vertex to the hit.
+template <int N>
+void PathTracer<N>::travel(std::uint32_t slot) {
+  const Hit& hit = batch_.hits[slot];
+  attenuate(batch_.throughput[slot], scene_, batch_.media[slot].current(), batch_.wavelengths[slot].lambda,
+            hit.t);
+  meet(batch_.media[slot], scene_, hit, batch_.rays.direction[slot]);
+}
+
+/// Paths go on through surfaces that are hidden, which do not count as met. Light samples end there, so what
+/// lies beyond is found by this ray alone, as after a delta lobe.
+template <int N>
+void PathTracer<N>::pass_hidden_surfaces() {
+  const auto is_seen = [&](std::uint32_t slot) { return !batch_.media[slot].hidden(); };
+  std::vector<std::uint32_t> arrived;
+  for (int i = 0; i < kMostHidden; ++i) {
+    const auto hidden = std::ranges::stable_partition(batch_.active, is_seen);
+    if (i == 0 && hidden.empty()) return;
+    arrived.insert(arrived.end(), batch_.active.begin(), hidden.begin());
+    batch_.active.erase(batch_.active.begin(), hidden.begin());
+    if (batch_.active.empty()) break;
+    for (const std::uint32_t slot : batch_.active) {
+      const Vec3f direction = batch_.rays.direction[slot];
+      batch_.rays.origin.set(slot, pass_hidden(batch_.media[slot], scene_, batch_.hits[slot], direction));
+      batch_.bsdf_pdf[slot] = 0.0f;
+    }
+    intersect();
+    absorb_and_emit();
+  }
+  batch_.active = std::move(arrived);
+}
+
+template void PathTracer<1>::travel(std::uint32_t);
+template void PathTracer<4>::travel(std::uint32_t);
+template void PathTracer<8>::travel(std::uint32_t);
+template void PathTracer<16>::travel(std::uint32_t);
+template void PathTracer<1>::pass_hidden_surfaces();
+template void PathTracer<4>::pass_hidden_surfaces();
+template void PathTracer<8>::pass_hidden_surfaces();
+template void PathTracer<16>::pass_hidden_surfaces();
+
+}  // namespace photopic

@@ -1,0 +1,46 @@
+#include <utility>
+
+#include "integrator/path_stages.h"
+
+namespace photopic {
+
+/// A path whose last ray was not finite is lost, whatever it had gathered.
+template <int N>
+bool PathTracer<N>::is_lost(std::size_t slot) const {
+  return !is_finite(Ray{batch_.rays.origin[slot], batch_.rays.direction[slot]});
+}
+
+/// In the order of the slots: a pixel's sum has the same bits however its paths were batched.
+template <int N>
+void PathTracer<N>::finish(std::span<const PathKey> paths, Film& film) {
+  std::vector<PathKey> non_finite;
+  for (std::size_t slot = 0; slot < paths.size(); ++slot) {
+    if (!batch_.media.empty()) stats_.media_overflows += batch_.media[slot].overflowed();
+    const Xyz xyz = batch_.wavelengths[slot].to_xyz(batch_.radiance[slot]);
+    if (std::isfinite(xyz.x + xyz.y + xyz.z) && !is_lost(slot))
+      film.add(batch_.pixel[slot], xyz);
+    else
+      non_finite.push_back(paths[slot]);
+  }
+  if (!non_finite.empty()) count_non_finite(non_finite);
+}
+
+/// Traces the paths once more to see what goes wrong: the same numbers take them the same way.
+template <int N>
+void PathTracer<N>::count_non_finite(std::span<const PathKey> paths) {
+  const RenderStats before = stats_;
+  NonFiniteWatch<N> watch(batch_, paths.size());
+  StageWatch* const other = std::exchange(watch_, &watch);
+  advance(paths);
+  watch_ = other;
+  stats_ = before;
+  stats_.non_finite += paths.size();
+  stats_.non_finite_causes += watch.counts();
+}
+
+template void PathTracer<1>::finish(std::span<const PathKey>, Film&);
+template void PathTracer<4>::finish(std::span<const PathKey>, Film&);
+template void PathTracer<8>::finish(std::span<const PathKey>, Film&);
+template void PathTracer<16>::finish(std::span<const PathKey>, Film&);
+
+}  // namespace photopic

@@ -1,0 +1,173 @@
+#include "integrator/shading_stage.h"
+
+#include "core/conductor_bsdf.h"
+#include "core/glass_bsdf.h"
+#include "core/layered_bsdf.h"
+#include "core/opaque_bsdf.h"
+#include "core/spectral_glass_bsdf.h"
+
+namespace photopic {
+
+template <int N>
+std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, int depth, StageWatch* watch) {
+  std::uint64_t split = 0;
+  const auto shade_all = [&]<typename Bsdf>(BsdfKind kind, std::type_identity<Bsdf>) {
+    if (batch.by_kind[static_cast<std::size_t>(kind)].empty()) return;
+    split += shade<Bsdf>(batch, kind, depth);
+    if (watch) watch->after(shading_stage(kind));
+  };
+  shade_all(BsdfKind::diffuse, std::type_identity<DiffuseBsdf<N>>{});
+  shade_all(BsdfKind::opaque, std::type_identity<OpaqueBsdf<N>>{});
+  shade_all(BsdfKind::conductor, std::type_identity<ConductorBsdf<N>>{});
+  shade_all(BsdfKind::layered, std::type_identity<LayeredBsdf<N>>{});
+  shade_all(BsdfKind::glass, std::type_identity<GlassBsdf<N>>{});
+  shade_all(BsdfKind::spectral_glass, std::type_identity<SpectralGlassBsdf<N>>{});
+  return split;
+}
+
+template <int N>
+template <typename Bsdf>
+std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, BsdfKind kind, int depth) {
+  const auto& slots = batch.by_kind[static_cast<std::size_t>(kind)];
+  std::uint64_t split = 0;
+  for (std::size_t first = 0; first < slots.size(); first += kLanes) {
+    const Packet packet(slots, first);
+    const VertexPacket<N, Bsdf> vertices(scene_, batch, packet);
+    if (!scene_.lights.empty()) sample_lights(batch, packet, depth, vertices);
+    split += sample_directions(batch, packet, depth, vertices);
+  }
+  return split;
+}
+
+/// Where lights differ in spectrum: what those of each may add to this path.
+template <int N>
+void ShadingStage<N>::weigh_spectra(PathBatch<N>& batch, std::uint32_t slot) const {
+  const std::span<float> spectra = batch.spectra_of(slot);
+  if (spectra.empty()) return;
+  const SampledSpectrum<N> importance = batch.throughput[slot] * batch.wavelengths[slot].importance();
+  for (std::size_t k = 0; k < spectra.size(); ++k)
+    spectra[k] = (importance * batch.emission_of(slot, static_cast<int>(k))).sum();
+  scene_.lights.spectrum_probabilities(spectra);
+}
+
+/// What varies over a lamp, at the point that was chosen.
+template <int N>
+SampledSpectrum<N> ShadingStage<N>::lamp_tint(const PathBatch<N>& batch, std::uint32_t slot,
+                                              std::uint32_t material, std::uint32_t triangle,
+                                              Vec3f position) const {
+  const Surface& lamp = scene_.surfaces[material];
+  if (!lamp.emission_varies && !lamp.partly_covers) return SampledSpectrum<N>(1.0f);
+  const TrianglePoint point = triangle_point_at(scene_.scene.geometry, triangle, position);
+  return ShadingMaterial<N>(lamp, batch.wavelengths[slot].lambda, point).emission_tint() *
+         lamp.coverage(point);
+}
+
+template <int N>
+template <typename Bsdf>
+LightSampleLanes ShadingStage<N>::choose_lights(PathBatch<N>& batch, const Packet& packet, int depth,
+                                                const VertexPacket<N, Bsdf>& vertices) const {
+  const SampleStreamLanes stream = batch.stream.gather(packet);
+  const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kLightPoint));
+  LightSampleLanes lights;
+  if (scene_.lights.sample_only_light(vertices.point.position, u, lights)) return lights;
+  const UintLanes choice = stream.bits(bounce_dimension(depth, kLightChoice));
+  for (int i = 0; i < packet.count; ++i) {
+    const std::uint32_t slot = packet[i];
+    weigh_spectra(batch, slot);
+    const Vec3f lit_side = Bsdf::kLitFromBehind ? Vec3f{} : lane(vertices.frame.n, i);
+    if (scene_.lights.uses_normals()) batch.normal.set(slot, lit_side);
+    lights.set(i, scene_.lights.sample({lane(vertices.point.position, i), lit_side}, batch.spectra_of(slot),
+                                       SampleStream::fine(choice[i]), lane(u, i)));
+  }
+  return lights;
+}
+
+/// Next-event estimation: a direction to a light, weighted against finding it by the BSDF.
+template <int N>
+template <typename Bsdf>
+void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, int depth,
+                                    const VertexPacket<N, Bsdf>& vertices) {
+  const LightSampleLanes lights = choose_lights(batch, packet, depth, vertices);
+
+  // What does the BSDF make of it?
+  const Vec3Lanes local = vertices.frame.to_local(lights.direction);
+  const IntLanes candidates = lights.reached & vertices.sides_agree(lights.direction, local.z);
+  std::array<SampledSpectrum<N>, kLanes> f_cos;
+  Lanes pdf{};
+  for (int i = 0; i < packet.count; ++i) {
+    if (!candidates[i]) continue;
+    const BsdfValue<N> value = vertices.bsdf_of(i).evaluate(lane(local, i));
+    f_cos[static_cast<std::size_t>(i)] = value.f_cos, pdf[i] = value.pdf;
+  }
+  const Lanes mis = select(lights.delta != 0, Lanes{} + 1.0f, power_heuristic(lights.pdf, pdf));
+  const Lanes weight = lights.radiance * mis / lights.pdf;
+  const Vec3Lanes origin = vertices.point.leave(lights.direction), to_end = lights.end - origin;
+
+  const IntLanes inwards = vertices.is_inwards(lights.direction);
+
+  // What would arrive?
+  for (int i = 0; i < packet.count; ++i) {
+    if (pdf[i] == 0.0f) continue;
+    const std::uint32_t slot = packet[i];
+    const Vec3f wi = lane(lights.direction, i);
+    SampledSpectrum<N> arriving = batch.throughput[slot] * f_cos[static_cast<std::size_t>(i)] *
+                                  batch.emission_of(slot, lights.spectrum[i]) * weight[i];
+    if (lights.environment[i]) {
+      const Vec3f rgb = scene_.scene.environment->radiance(wi);
+      arriving *= batch.tints[slot](rgb.x, rgb.y, rgb.z);
+    }
+    if (lights.material[i] != kNoMaterial)
+      arriving *= lamp_tint(batch, slot, lights.material[i], lights.triangle[i], lane(lights.end, i));
+    if (arriving.is_black()) continue;
+    const float distance = lights.distance[i];
+    if (!batch.media.empty())
+      attenuate(arriving, scene_, batch.media[slot].on_side(inwards[i]), batch.wavelengths[slot].lambda,
+                distance);
+
+    const bool unbounded = std::isinf(distance);
+    batch.shadow_rays.origin.set(slot, lane(origin, i));
+    batch.shadow_rays.direction.set(slot, unbounded ? wi : lane(to_end, i));
+    batch.shadow_rays.t_max[slot] = unbounded ? distance : 1.0f;
+    batch.shadow_radiance[slot] = arriving;
+    batch.shadowed.push_back(slot);
+  }
+}
+
+/// Where the paths go on.
+template <int N>
+template <typename Bsdf>
+std::uint64_t ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
+                                                 const VertexPacket<N, Bsdf>& vertices) {
+  const SampleStreamLanes stream = batch.stream.gather(packet);
+  const Lanes u_lobe = stream.get_1d(bounce_dimension(depth, kBsdfLobe));
+  const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
+  std::array<std::optional<BsdfSample<N>>, kLanes> samples{};
+  const Vec3Lanes local = vertices.sample(packet, u_lobe, u, samples);
+  const Vec3Lanes wi = vertices.frame.to_world(local), origin = vertices.point.leave(wi);
+  const IntLanes agree = vertices.sides_agree(wi, local.z), inwards = vertices.is_inwards(wi);
+  std::uint64_t split = 0;
+
+  for (int i = 0; i < packet.count; ++i) {
+    const auto& sample = samples[static_cast<std::size_t>(i)];
+    if (!sample || !agree[i]) continue;
+    const std::uint32_t slot = packet[i];
+    batch.throughput[slot] *= sample->weight;
+    split += sample->split;
+    if (batch.throughput[slot].is_black()) continue;
+    batch.rays.origin.set(slot, lane(origin, i));
+    batch.rays.direction.set(slot, lane(wi, i));
+    batch.vertex.set(slot, lane(vertices.point.position, i));
+    batch.bsdf_pdf[slot] = sample->delta ? 0.0f : sample->pdf;
+    batch.eta_scale[slot] *= sqr(sample->eta);
+    if (!batch.media.empty()) batch.media[slot].go_on(scene_.surfaces, inwards[i]);
+    batch.active.push_back(slot);
+  }
+  return split;
+}
+
+template class ShadingStage<1>;
+template class ShadingStage<4>;
+template class ShadingStage<8>;
+template class ShadingStage<16>;
+
+}  // namespace photopic

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cmath>
+#include <cstring>
+
+namespace photopic {
+
+/// The processor's vectors.
+using Float1 [[gnu::vector_size(4)]] = float;
+using Float4 [[gnu::vector_size(16)]] = float;
+using Float8 [[gnu::vector_size(32)]] = float;
+using Float16 [[gnu::vector_size(64)]] = float;
+using Double4 [[gnu::vector_size(32)]] = double;
+
+/// Four numbers that stand in a row in memory, aligned or not.
+template <typename Four>
+Four load(const void* numbers) {
+  Four four;
+  std::memcpy(&four, numbers, sizeof four);
+  return four;
+}
+template <typename Four>
+void store(void* numbers, Four four) {
+  std::memcpy(numbers, &four, sizeof four);
+}
+
+/// The square root of each.
+template <typename Vector>
+inline Vector sqrt_of(Vector square) {
+  constexpr int kSize = sizeof(square) / sizeof(square[0]);
+  for (int j = 0; j < kSize; ++j) square[j] = std::sqrt(square[j]);
+  return square;
+}
+
+/// The root of what is positive, else 0.
+inline double root(double square) {
+  return square > 0.0 ? std::sqrt(square) : 0.0;
+}
+inline Double4 root(Double4 square) {
+  return sqrt_of(square > 0.0 ? square : Double4{});
+}
+
+/// The two halves of a vector.
+inline Float4 low(Float8 v) {
+  return __builtin_shufflevector(v, v, 0, 1, 2, 3);
+}
+inline Float4 high(Float8 v) {
+  return __builtin_shufflevector(v, v, 4, 5, 6, 7);
+}
+inline Float8 low(Float16 v) {
+  return __builtin_shufflevector(v, v, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+inline Float8 high(Float16 v) {
+  return __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+
+/// All lanes in one, by halves.
+inline float sum_of(Float1 v) {
+  return v[0];
+}
+inline float sum_of(Float4 v) {
+  const Float4 pairs = v + __builtin_shufflevector(v, v, 2, 3, 0, 1);
+  return pairs[0] + pairs[1];
+}
+inline float sum_of(Float8 v) {
+  return sum_of(low(v) + high(v));
+}
+inline float sum_of(Float16 v) {
+  return sum_of(low(v) + high(v));
+}
+
+template <typename Vector>
+inline Vector larger(Vector a, Vector b) {
+  return a > b ? a : b;
+}
+inline float largest_of(Float1 v) {
+  return v[0];
+}
+inline float largest_of(Float4 v) {
+  const Float4 pairs = larger(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
+  return pairs[0] > pairs[1] ? pairs[0] : pairs[1];
+}
+inline float largest_of(Float8 v) {
+  return largest_of(larger(low(v), high(v)));
+}
+inline float largest_of(Float16 v) {
+  return largest_of(larger(low(v), high(v)));
+}
+
+/// Vectors side by side.
+inline Float8 join(Float4 a, Float4 b) {
+  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+inline Float16 join(Float8 a, Float8 b) {
+  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+}
+
+/// The transpose of four rows of four.
+template <typename Four>
+inline void transpose(Four& a, Four& b, Four& c, Four& d) {
+  const Four ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+  const Four ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Four cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+  const Four cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+}
+
+}  // namespace photopic
