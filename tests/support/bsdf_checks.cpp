@@ -199,32 +199,30 @@ Estimate sampled_albedo(const LocalBsdf& bsdf, Vec3f wo, int samples, bool scale
 }
 
 Furnace furnace(const LocalBsdf& bsdf, Vec3f wo, double ior) {
-  constexpr std::uint32_t kShifts = 8;
-  constexpr int kFewest = 512, kMost = 1 << 14;
+  constexpr std::uint32_t kSequences = 8, kFewest = 512, kMost = 4096;
+  constexpr int kLobes = 16;  // choices of the lobe at every point, equally far apart
   constexpr double kError = 0.00125;
-  // The plastic number's powers: Roberts 2018, "The Unreasonable Effectiveness of Quasirandom Sequences".
-  constexpr std::array<double, 3> kStep{0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
   const double crossing = wo.z > 0.0f ? ior * ior : 1.0 / (ior * ior);
-  std::array<double, kShifts> sums{};
+  std::array<double, kSequences> sums{};
   RunningMean weights;
   Furnace result{{0.0, 1.0}, 0.0, 0.0};
-  for (int i = 0, end = kFewest; end <= kMost && result.albedo.error > kError; end *= 2) {
+  std::uint32_t i = 0;
+  for (std::uint32_t end = kFewest; end <= kMost && result.albedo.error > kError; end *= 2) {
     for (; i < end; ++i)
-      for (std::uint32_t shift = 0; shift < kShifts; ++shift) {
-        const SampleStream start(Sequence::independent, 3, 0, shift);
-        const auto u = [&](int dimension) {
-          const double x = start.get_1d(dimension) + i * kStep[static_cast<std::size_t>(dimension)];
-          return std::min(static_cast<float>(x - std::floor(x)), 0x1.fffffep-1f);
-        };
-        const auto s = bsdf.sample(wo, u(0), {u(1), u(2)});
-        const double weight = s ? s->weight * (s->wi.z * wo.z < 0.0f ? crossing : 1.0) : 0.0;
-        sums[shift] += weight, weights.add(weight);
-        result.largest = std::max(result.largest, weight);
+      for (std::uint32_t seed = 0; seed < kSequences; ++seed) {
+        const SampleStream stream(Sequence::sobol, seed, 0, i);
+        for (int lobe = 0; lobe < kLobes; ++lobe) {
+          const float u_lobe = (stream.get_1d(0) + static_cast<float>(lobe)) / kLobes;
+          const auto s = bsdf.sample(wo, std::min(u_lobe, 0x1.fffffep-1f), stream.get_2d(1));
+          const double weight = s ? s->weight * (s->wi.z * wo.z < 0.0f ? crossing : 1.0) : 0.0;
+          sums[seed] += weight, weights.add(weight);
+          result.largest = std::max(result.largest, weight);
+        }
       }
     RunningMean means;
-    for (const double sum : sums) means.add(sum / end);
+    for (const double sum : sums) means.add(sum / (end * kLobes));
     result.albedo = means.estimate();
-    result.variance = weights.estimate().error * weights.estimate().error * kShifts * end;
+    result.variance = weights.estimate().error * weights.estimate().error * kSequences * end * kLobes;
   }
   return result;
 }

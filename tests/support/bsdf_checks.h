@@ -69,8 +69,8 @@ struct Furnace {
   double variance;  ///< of those weights
   double largest;   ///< of them
 };
-/// Over eight shifted lattices, for an error far below that of independent samples: 0.00125, or what 2^17
-/// samples reach.
+/// Over eight scrambled sequences, every lobe at every point, for an error far below that of independent
+/// samples: 0.00125, or what 2^19 samples reach.
 /// @param ior of what is below the surface, where light refracts into it
 Furnace furnace(const LocalBsdf& bsdf, Vec3f wo, double ior = 1.0);
 
