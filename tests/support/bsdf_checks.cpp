@@ -199,7 +199,7 @@ Estimate sampled_albedo(const LocalBsdf& bsdf, Vec3f wo, int samples, bool scale
 }
 
 Furnace furnace(const LocalBsdf& bsdf, Vec3f wo, double ior) {
-  constexpr std::uint32_t kSequences = 8, kFewest = 512, kMost = 4096;
+  constexpr std::uint32_t kSequences = 8, kFewest = 256, kMost = 4096;
   constexpr int kLobes = 16;  // choices of the lobe at every point, equally far apart
   constexpr double kError = 0.00125;
   const double crossing = wo.z > 0.0f ? ior * ior : 1.0 / (ior * ior);
