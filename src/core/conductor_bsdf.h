@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bsdf.h"
+#include "core/grazing_lobe.h"
 #include "core/microfacet.h"
 #include "core/spectral_fresnel.h"
 
@@ -17,15 +18,15 @@ class ConductorBsdf {
   ConductorBsdf(const ShadingMaterial<N>& m, Vec3f wo)
       : wo_(wo), ggx_{sqr(m.roughness())}, fresnel_(measured(m)) {
     if (mirror() || wo.z <= 0.0f) return;
-    const FresnelAlbedo& table = FresnelAlbedo::isotropic();
-    const FresnelAlbedo::Weights e = table.directional(wo, m.roughness(), 0.0f);
-    const FresnelAlbedo::Weights average = table.average(m.roughness(), 0.0f);
+    const FresnelAlbedo& table = FresnelAlbedo::table();
+    const FresnelAlbedo::Weights e = table.directional(wo.z, m.roughness());
+    const FresnelAlbedo::Weights average = table.average(m.roughness());
     roughness_ = m.roughness();
     g1_ = ggx_.g1(wo);
-    further_ =
-        fresnel_.further_bounces(average) * ((1.0f - e.total()) / std::max(1.0f - average.total(), 1e-6f));
+    grazing_ = GrazingLobe(ggx_.alpha);
+    further_ = fresnel_.further_bounces(average) * (e.missing / average.missing);
     const float bounce = fresnel_.albedo(e).sum();
-    const float further = fresnel_.further_bounces(average).sum() * (1.0f - e.total());
+    const float further = fresnel_.further_bounces(average).sum() * e.missing;
     bounce_probability_ = bounce / (bounce + further);
   }
 
@@ -44,16 +45,16 @@ class ConductorBsdf {
     if (wi.z <= 0.0f || wo_.z <= 0.0f || mirror()) return {};
     const Vec3f m = normalize(wo_ + wi);
     const float d = ggx_.d(m) / (4.0f * wo_.z), cosine = cosine_hemisphere_pdf(wi.z);
-    const float missing = 1.0f - FresnelAlbedo::isotropic().directional(wi, roughness_, 0.0f).total();
+    const float missing = FresnelAlbedo::table().directional(wi.z, roughness_).missing;
     return {fresnel_(dot(wo_, m)) * (d * ggx_.g2(wo_, wi)) + further_ * (missing * cosine),
-            bounce_probability_ * d * g1_ + (1.0f - bounce_probability_) * cosine};
+            bounce_probability_ * d * g1_ + (1.0f - bounce_probability_) * grazing_.pdf(wi.z)};
   }
 
   std::optional<BsdfSample<N>> sample(float u_lobe, Sample2d u) const {
     if (wo_.z <= 0.0f) return {};
     if (mirror()) return BsdfSample<N>{{-wo_.x, -wo_.y, wo_.z}, fresnel_(wo_.z), 0.0f, true};
-    const Vec3f wi = u_lobe < bounce_probability_ ? reflect(wo_, ggx_.sample_visible(wo_, u))
-                                                  : sample_cosine_hemisphere(u);
+    const Vec3f wi =
+        u_lobe < bounce_probability_ ? reflect(wo_, ggx_.sample_visible(wo_, u)) : grazing_.sample(u);
     const BsdfValue<N> value = evaluate(wi);
     if (value.pdf == 0.0f) return {};
     return BsdfSample<N>{wi, value.f_cos / value.pdf, value.pdf, false};
@@ -64,6 +65,7 @@ class ConductorBsdf {
 
   Vec3f wo_;
   Ggx ggx_;
+  GrazingLobe grazing_;
   FresnelFit<N> fresnel_;
   float roughness_ = 0.0f;
   float g1_ = 1.0f;                   ///< of wo

@@ -19,35 +19,32 @@ class FresnelAlbedo {
 
   struct Weights {
     float f0 = 0.0f, f90 = 0.0f;
+    float missing = 0.0f;  ///< 1 − f0 − f90, exact where it is tiny; what is lost where F is 1 everywhere
     std::array<float, kNodes> rest{};
 
-    float total() const { return f0 + f90; }  ///< the albedo where F is 1 everywhere
     void add(const Weights& other, float factor);
   };
 
   /// The weights of F(cos θ) itself.
   static Weights at(float cos_theta);
 
-  /// The table for roughness alike in all directions, and the one for AnisotropicGgx::of; each integrated
-  /// when first asked for (30 ms; 0.4 s of one core).
-  static const FresnelAlbedo& isotropic();
-  static const FresnelAlbedo& anisotropic();
+  /// By integration. @param ggx Ggx or AnisotropicGgx @param wo in its frame, wo.z > 0
+  template <typename AnyGgx>
+  static Weights integrate(const AnyGgx& ggx, Vec3f wo, int samples);
 
-  /// Seen from w, w.z ≥ 0. @param roughness √α, in [0, 1]
-  Weights directional(Vec3f w, float roughness, float strength) const;
-  /// The cosine-weighted average over w.
-  Weights average(float roughness, float strength) const;
+  /// The table for roughness alike in all directions, integrated when first asked for (0.1 s of one core).
+  static const FresnelAlbedo& table();
+
+  /// At cos θ in [0, 1] and roughness √α in [0, 1].
+  Weights directional(float cos_theta, float roughness) const;
+  /// The cosine-weighted average over all directions.
+  Weights average(float roughness) const;
 
  private:
-  struct Size {
-    int roughness, strength, azimuth, cosine;
-  };
-  explicit FresnelAlbedo(Size size);
-  std::size_t entry(int roughness, int strength, int azimuth, int cosine) const;
-  Weights average_of(int roughness, int strength) const;
-
-  Size size_;
-  std::vector<Weights> directional_, average_;
+  static constexpr int kRoughnesses = 32;
+  FresnelAlbedo();
+  std::vector<Weights> directional_;  ///< [roughness][cos θ]
+  std::vector<Weights> average_;
 };
 
 }  // namespace photopic

@@ -1,8 +1,9 @@
 #include "core/ggx_albedo.h"
 
+#include <tbb/parallel_for.h>
+
+#include "core/albedo_axes.h"
 #include "core/fresnel.h"
-#include "core/microfacet.h"
-#include "core/table_position.h"
 
 namespace photopic {
 namespace {
@@ -10,26 +11,25 @@ namespace {
 using Factors = GgxAlbedo::Factors;
 
 Factors lerp(Factors a, Factors b, float t) {
-  return {a.scale + (b.scale - a.scale) * t, a.bias + (b.bias - a.bias) * t};
+  return {a.missing + (b.missing - a.missing) * t, a.bias + (b.bias - a.bias) * t};
 }
 
-// Visible-normal sampling leaves F·G2/G1 to average.
+// Visible-normal sampling leaves F·G2/G1 to average; steep normals, where light is lost, are drawn more
+// often.
 Factors integrate(float cos_theta, float roughness) {
-  constexpr std::uint32_t kSamples = 512;
-  const Ggx ggx{std::max(sqr(roughness), 1e-4f)};
+  constexpr std::uint32_t kSamples = 1024;
+  const Ggx ggx{sqr(roughness)};
   const Vec3f wo{safe_sqrt(1.0f - sqr(cos_theta)), 0.0f, cos_theta};
   Factors sum{0.0f, 0.0f};
   for (std::uint32_t i = 0; i < kSamples; ++i) {
     const Sample2d u = SampleStream(Sequence::sobol, 0, 0, i).get_2d(0);
-    const Vec3f m = ggx.sample_visible(wo, u);
+    const Vec3f m = ggx.sample_visible(wo, {u.x, 1.0f - sqr(u.y)});
     const Vec3f wi = reflect(wo, m);
-    if (wi.z <= 0.0f) continue;
-    const float weight = ggx.g2(wo, wi) / ggx.g1(wo);
-    const float schlick = schlick_weight(dot(wo, m));
-    sum.scale += weight * (1.0f - schlick);
-    sum.bias += weight * schlick;
+    const float weight = 2.0f * u.y, shadow = shadowing(ggx, wo, wi);
+    sum.missing += weight / (1.0f + 1.0f / shadow);
+    sum.bias += weight / (1.0f + shadow) * schlick_weight(dot(wo, m));
   }
-  return {sum.scale / kSamples, sum.bias / kSamples};
+  return {sum.missing / kSamples, sum.bias / kSamples};
 }
 
 }  // namespace
@@ -40,33 +40,28 @@ const GgxAlbedo& GgxAlbedo::table() {
 }
 
 GgxAlbedo::GgxAlbedo() {
-  for (int r = 0; r < kSize; ++r) {
-    const float roughness = static_cast<float>(r) / (kSize - 1);
-    for (int c = 0; c < kSize; ++c)
-      directional_[r][c] = integrate(std::max(sqr(static_cast<float>(c) / (kSize - 1)), 1e-4f), roughness);
-    // Between two entries the albedo is linear in x = √μ, and 2μ dμ = 4x³ dx: the moments of x³ and x⁴.
+  const auto share = cosine_average_weights([](float c) { return locate_cosine(c, kCosines); }, kCosines);
+  tbb::parallel_for(0, kRoughnesses, [&](int r) {
+    for (int c = 0; c < kCosines; ++c)
+      directional_[r][c] = integrate(albedo_cosine(c, kCosines), albedo_roughness(r, kRoughnesses));
     Factors sum{0.0f, 0.0f};
-    for (int c = 0; c + 1 < kSize; ++c) {
-      const float a = static_cast<float>(c) / (kSize - 1), b = static_cast<float>(c + 1) / (kSize - 1);
-      const float whole = sqr(sqr(b)) - sqr(sqr(a));
-      const float first = 0.8f * (sqr(sqr(b)) * b - sqr(sqr(a)) * a);
-      const Factors mean = lerp(directional_[r][c], directional_[r][c + 1], (first / whole - a) / (b - a));
-      sum.scale += whole * mean.scale;
-      sum.bias += whole * mean.bias;
+    for (int c = 0; c < kCosines; ++c) {
+      sum.missing += share[c] * directional_[r][c].missing;
+      sum.bias += share[c] * directional_[r][c].bias;
     }
     average_[r] = sum;
-  }
+  });
 }
 
 Factors GgxAlbedo::directional(float cos_theta, float roughness) const {
-  const auto [r, tr] = locate(roughness, kSize);
-  const auto [c, tc] = locate(safe_sqrt(cos_theta), kSize);
+  const auto [r, tr] = locate_roughness(roughness, kRoughnesses);
+  const auto [c, tc] = locate_cosine(cos_theta, kCosines);
   return lerp(lerp(directional_[r][c], directional_[r][c + 1], tc),
               lerp(directional_[r + 1][c], directional_[r + 1][c + 1], tc), tr);
 }
 
 Factors GgxAlbedo::average(float roughness) const {
-  const auto [r, t] = locate(roughness, kSize);
+  const auto [r, t] = locate_roughness(roughness, kRoughnesses);
   return lerp(average_[r], average_[r + 1], t);
 }
 

@@ -10,11 +10,12 @@ namespace photopic {
 class GgxAlbedo {
  public:
   struct Factors {
-    float scale, bias;
-    float total() const { return scale + bias; }
+    float missing;  ///< 1 − scale − bias, exact where it is tiny
+    float bias;
+    float scale() const { return 1.0f - missing - bias; }
   };
 
-  /// The table, integrated once when first asked for (about 10 ms).
+  /// The table, integrated once when first asked for (about 60 ms of one core).
   static const GgxAlbedo& table();
 
   /// Directional albedo factors at cos θ in [0, 1] and roughness = sqrt(α) in [0, 1].
@@ -23,10 +24,10 @@ class GgxAlbedo {
   Factors average(float roughness) const;
 
  private:
-  static constexpr int kSize = 32;
+  static constexpr int kCosines = 64, kRoughnesses = 32;  ///< of the axes of albedo_axes.h
   GgxAlbedo();
-  std::array<std::array<Factors, kSize>, kSize> directional_;  ///< [roughness][√cos θ], equal steps
-  std::array<Factors, kSize> average_;
+  std::array<std::array<Factors, kCosines>, kRoughnesses> directional_;
+  std::array<Factors, kRoughnesses> average_;
 };
 
 }  // namespace photopic

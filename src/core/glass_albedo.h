@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/fresnel.h"
@@ -16,7 +17,7 @@ class GlassAlbedo {
     float low, high;
   };
 
-  /// Integrates the table: about 10 ms for each index and roughness, of which a range has 24.
+  /// Integrates the table: 10 to 40 ms for each index and roughness, of which a range has 24.
   /// @param iors ratios of the denser medium's index to the other's, rising, > 1; exact there, interpolated
   /// between @param roughness √α, in [0, 1]
   GlassAlbedo(std::vector<float> iors, Range roughness);
@@ -34,7 +35,7 @@ class GlassAlbedo {
       return total + (1.0f - s.at_normal) * exchanged + (s.at_normal - s.at_grazing) * exchanged_grazing;
     }
   };
-  static Share integrate(float cos_theta, float roughness, float eta);
+  static Share integrate(float cos_theta, float roughness, float eta, std::uint32_t samples);
   std::size_t entry(std::size_t ior, int roughness, bool inside, int cosine) const;
   float row(std::size_t ior, int roughness, bool inside, float cos_theta, SpecularScale specular) const;
 

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "core/anisotropic_ggx.h"
 #include "core/bsdf.h"
 #include "core/conductor_bsdf.h"
+#include "core/grain_albedo.h"
+#include "core/grazing_lobe.h"
 #include "core/spectral_fresnel.h"
 
 namespace photopic {
@@ -33,12 +34,11 @@ class GlossyBase {
     const FresnelAlbedo::Weights e = directional({wi.x, wi.y, std::abs(wi.z)});
     const float cosine = cosine_hemisphere_pdf(std::abs(wi.z));
     const SampledSpectrum<N> through = transmitted(e) * base_gain_ * cosine;
-    const float p_reflected = (1.0f - p_specular_) * (1.0f - p_through_),
-                p_passed = (1.0f - p_specular_) * p_through_;
-    if (wi.z < 0.0f) return {passed_ * through, p_passed * cosine};
+    if (wi.z < 0.0f) return {passed_ * through, p_through_ * cosine};
 
-    BsdfValue<N> value{reflected_ * through + further_ * ((1.0f - e.total()) * cosine), p_reflected * cosine};
+    BsdfValue<N> value{reflected_ * through + further_ * (e.missing * cosine), p_diffuse_ * cosine};
     if (mirror()) return value;
+    value.pdf += p_grazing_ * grazing_.pdf(wi.z);
     const Vec3f m = normalize(wo_ + wi);
     const float d = ggx_.d(m) / (4.0f * wo_.z);
     value.f_cos += fresnel(dot(wo_, m)) * (d * ggx_.g2(wo_, wi));
@@ -54,9 +54,11 @@ class GlossyBase {
         return BsdfSample<N>{from_grain({-wo_.x, -wo_.y, wo_.z}), fresnel(wo_.z) / p_specular_, 0.0f, true};
       wi = reflect(wo_, ggx_.sample_visible(wo_, u));
       if (wi.z <= 0.0f) return {};
+    } else if (u_lobe < p_specular_ + p_grazing_) {
+      wi = grazing_.sample(u);
     } else {
       wi = sample_cosine_hemisphere(u);
-      if (u_lobe - p_specular_ < (1.0f - p_specular_) * p_through_) wi.z = -wi.z;
+      if (u_lobe < p_specular_ + p_grazing_ + p_through_) wi.z = -wi.z;
     }
     wi = from_grain(wi);
     const BsdfValue<N> value = evaluate(wi);
@@ -105,20 +107,22 @@ class GlossyBase {
       dielectric_further_ = dielectric_.further_bounces(average_);
       further_ += dielectric_further_ * (1.0f - metallic_);
     }
-    const float missing = 1.0f - e.total();
     const SampledSpectrum<N> single =
         metal_.albedo(e) * metallic_ + dielectric_.albedo(e) * (1.0f - metallic_);
-    specular_ = single + further_ * missing;
-    further_ *= average_.total() < 1.0f ? missing / (1.0f - average_.total()) : 0.0f;
+    specular_ = single + further_ * e.missing;
+    further_ *= average_.missing > 0.0f ? e.missing / average_.missing : 0.0f;
     const SampledSpectrum<N> from_wo = transmitted(e), mean = transmitted(average_);
     base_gain_ = SampledSpectrum<N>(0.0f);
     for (int j = 0; j < N; ++j)
       if (mean[j] > 0.0f) base_gain_.v[j] = from_wo[j] / mean[j];
     from_wo_ = from_wo;
 
-    const float rest = (diffuse_albedo() + specular_ - single).sum();
-    p_specular_ = rest > 0.0f ? single.sum() / (single.sum() + rest) : 1.0f;
-    p_through_ = rest > 0.0f ? (passed_ * from_wo).sum() / rest : 0.0f;
+    grazing_ = GrazingLobe(std::max(ggx_.alpha_x, kSmoothAlpha));
+    const float sum = (diffuse_albedo() + specular_).sum();
+    p_specular_ = sum > 0.0f ? single.sum() / sum : 1.0f;
+    p_grazing_ = sum > 0.0f ? (specular_ - single).sum() / sum : 0.0f;
+    p_through_ = sum > 0.0f ? (passed_ * from_wo).sum() / sum : 0.0f;
+    p_diffuse_ = std::max(1.0f - p_specular_ - p_grazing_ - p_through_, 0.0f);
   }
 
   SampledSpectrum<N> diffuse_albedo() const { return (reflected_ + passed_) * from_wo_; }
@@ -129,20 +133,20 @@ class GlossyBase {
     return metal_(cos_theta) * metallic_ + dielectric_.fitted(cos_theta) * (1.0f - metallic_);
   }
 
-  const FresnelAlbedo& table() const {
-    return strength_ > 0.0f ? FresnelAlbedo::anisotropic() : FresnelAlbedo::isotropic();
-  }
   FresnelAlbedo::Weights directional(Vec3f w) const {
-    return mirror() ? FresnelAlbedo::at(w.z) : table().directional(w, roughness_, strength_);
+    if (mirror()) return FresnelAlbedo::at(w.z);
+    return strength_ > 0.0f ? GrainAlbedo::table().directional(w, ggx_)
+                            : FresnelAlbedo::table().directional(w.z, roughness_);
   }
   FresnelAlbedo::Weights average() const {
-    return mirror() ? FresnelFit<N>::smooth_average() : table().average(roughness_, strength_);
+    if (mirror()) return FresnelFit<N>::smooth_average();
+    return strength_ > 0.0f ? GrainAlbedo::table().average(ggx_) : FresnelAlbedo::table().average(roughness_);
   }
 
   /// Share of light that the dielectric surface lets through to the diffuse base.
   SampledSpectrum<N> transmitted(const FresnelAlbedo::Weights& e) const {
     SampledSpectrum<N> share =
-        SampledSpectrum<N>(1.0f) - dielectric_.albedo(e) - dielectric_further_ * (1.0f - e.total());
+        SampledSpectrum<N>(1.0f) - dielectric_.albedo(e) - dielectric_further_ * e.missing;
     for (int j = 0; j < N; ++j) share.v[j] = std::max(share[j], 0.0f);
     return share;
   }
@@ -159,10 +163,11 @@ class GlossyBase {
   SampledSpectrum<N> specular_{0.0f};  ///< albedo of the surface, further bounces included
   SampledSpectrum<N> further_{0.0f};   ///< further bounces, but for the factor that depends on wi
   SampledSpectrum<N> dielectric_further_{0.0f};
-  SampledSpectrum<N> from_wo_{0.0f};    ///< transmitted from wo
-  SampledSpectrum<N> base_gain_{0.0f};  ///< transmitted from wo over the mean of all directions
-  float p_specular_ = 1.0f;             ///< of choosing the GGX lobe
-  float p_through_ = 0.0f;              ///< of going through, when not
+  SampledSpectrum<N> from_wo_{0.0f};            ///< transmitted from wo
+  SampledSpectrum<N> base_gain_{0.0f};          ///< transmitted from wo over the mean of all directions
+  GrazingLobe grazing_;                         ///< of further bounces
+  float p_specular_ = 1.0f, p_grazing_ = 0.0f;  ///< of choosing the GGX lobe, further bounces,
+  float p_diffuse_ = 0.0f, p_through_ = 0.0f;   ///< the base's reflection and passage
 };
 
 }  // namespace photopic

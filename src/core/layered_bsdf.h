@@ -51,7 +51,7 @@ class LayeredBsdf {
     if (wi.z <= 0.0f) return value;
     if (p_sheen_ > 0.0f) {
       value.f_cos += sheen_color_ * (under_coat_ * sheen_.evaluate(wi));
-      value.pdf += p_sheen_ * cosine_hemisphere_pdf(wi.z);
+      value.pdf += p_sheen_ * sheen_.pdf(wi);
     }
     if (const Vec3f coat_wi = coat_frame_.to_local(wi);
         p_coat_ > 0.0f && !coat_is_smooth() && coat_wi.z > 0.0f) {
@@ -76,7 +76,8 @@ class LayeredBsdf {
       wi = coat_frame_.to_world(coat_wi);
       if (coat_wi.z <= 0.0f || wi.z <= 0.0f) return {};
     } else if (u_lobe < p_coat_ + p_sheen_) {
-      wi = sample_cosine_hemisphere(u);
+      wi = sheen_.sample(u);
+      if (wi.z == 0.0f) return {};
     } else {
       const float u_base = std::min((u_lobe - p_coat_ - p_sheen_) / p_base_, 0x1.fffffep-1f);
       auto s = base_.sample(u_base, u);
@@ -95,17 +96,17 @@ class LayeredBsdf {
  private:
   /// The coat's index is 1.5.
   static constexpr float kCoatF0 = 0.04f;
-  static float schlick(GgxAlbedo::Factors e) { return kCoatF0 * e.scale + e.bias; }
+  static float schlick(GgxAlbedo::Factors e) { return kCoatF0 * e.scale() + e.bias; }
 
   bool coat_is_smooth() const { return coat_ggx_.alpha < kSmoothAlpha; }
   GgxAlbedo::Factors coat_factors(float roughness) const {
     if (!coat_is_smooth()) return GgxAlbedo::table().directional(coat_wo_.z, roughness);
     const float w = schlick_weight(coat_wo_.z);
-    return {1.0f - w, w};
+    return {0.0f, w};
   }
   float coat_fresnel(float cos_theta) const {
     const float w = schlick_weight(cos_theta);
-    return coat_ * schlick({1.0f - w, w});
+    return coat_ * schlick({0.0f, w});
   }
 
   Vec3f wo_;

@@ -3,6 +3,7 @@
 #include "core/bsdf.h"
 #include "core/fresnel.h"
 #include "core/ggx_albedo.h"
+#include "core/grazing_lobe.h"
 #include "core/microfacet.h"
 
 namespace photopic {
@@ -32,7 +33,8 @@ class OpaqueBsdf {
 
   BsdfValue<N> evaluate(Vec3f wi) const {
     if (wi.z <= 0.0f || wo_.z <= 0.0f) return {};
-    BsdfValue<N> value{base(wi), (1.0f - specular_probability_) * cosine_hemisphere_pdf(wi.z)};
+    BsdfValue<N> value{base(wi), diffuse_probability_ * cosine_hemisphere_pdf(wi.z)};
+    if (grazing_probability_ > 0.0f) value.pdf += grazing_probability_ * grazing_.pdf(wi.z);
     if (mirror()) return value;
     const Vec3f m = normalize(wo_ + wi);
     const float d = ggx_.d(m) / (4.0f * wo_.z);
@@ -48,7 +50,10 @@ class OpaqueBsdf {
       const Vec3f wi{-wo_.x, -wo_.y, wo_.z};
       return BsdfSample<N>{wi, fresnel(wo_.z) / specular_probability_, 0.0f, true};
     }
-    const Vec3f wi = specular ? reflect(wo_, ggx_.sample_visible(wo_, u)) : sample_cosine_hemisphere(u);
+    const bool grazing = u_lobe < specular_probability_ + grazing_probability_;
+    const Vec3f wi = specular  ? reflect(wo_, ggx_.sample_visible(wo_, u))
+                     : grazing ? grazing_.sample(u)
+                               : sample_cosine_hemisphere(u);
     const BsdfValue<N> value = evaluate(wi);
     if (value.pdf == 0.0f) return {};
     return BsdfSample<N>{wi, value.f_cos / value.pdf, value.pdf, false};
@@ -57,12 +62,12 @@ class OpaqueBsdf {
  private:
   struct Fresnel {
     SampledSpectrum<N> f0, f90;
-    SampledSpectrum<N> albedo(GgxAlbedo::Factors f) const { return f0 * f.scale + f90 * f.bias; }
+    SampledSpectrum<N> albedo(GgxAlbedo::Factors f) const { return f0 * f.scale() + f90 * f.bias; }
     /// Kulla & Conty 2017, the colour of all further bounces; 1 where F is. @param e cosine-averaged factors
     SampledSpectrum<N> further_bounces(GgxAlbedo::Factors e) const {
       const SampledSpectrum<N> average = f0 * (20.0f / 21.0f) + f90 * (1.0f / 21.0f);  // of Schlick's term
       const SampledSpectrum<N> one(1.0f);
-      return average * average * e.total() / (one - average * (1.0f - e.total()));
+      return average * average * (1.0f - e.missing) / (one - average * e.missing);
     }
   };
 
@@ -77,28 +82,33 @@ class OpaqueBsdf {
   GgxAlbedo::Factors directional(float cos_theta) const {
     if (!mirror()) return GgxAlbedo::table().directional(cos_theta, roughness_);
     const float w = schlick_weight(cos_theta);
-    return {1.0f - w, w};
+    return {0.0f, w};
   }
   GgxAlbedo::Factors average() const {
     if (!mirror()) return GgxAlbedo::table().average(roughness_);
-    return {20.0f / 21.0f, 1.0f / 21.0f};
+    return {0.0f, 1.0f / 21.0f};
   }
 
   /// Share of light that a dielectric layer lets through from direction with these factors.
   SampledSpectrum<N> transmitted(GgxAlbedo::Factors directional, GgxAlbedo::Factors average) const {
     return SampledSpectrum<N>(1.0f) - dielectric_.albedo(directional) -
-           dielectric_.further_bounces(average) * (1.0f - directional.total());
+           dielectric_.further_bounces(average) * directional.missing;
   }
 
   /// What depends on wo alone.
   void look() {
     const GgxAlbedo::Factors e = directional(wo_.z);
     average_ = average();
-    missing_ = 1.0f - e.total();
+    missing_ = e.missing;
     transmitted_ = transmitted(e, average_);
     const float specular = (metal_.albedo(e) * metallic_ + dielectric_.albedo(e) * (1.0f - metallic_)).sum();
-    const float rest = (diffuse_ * transmitted_ + further(average_) * missing_).sum();
-    specular_probability_ = rest > 0.0f ? specular / (specular + rest) : 1.0f;
+    const float diffuse = (diffuse_ * transmitted_).sum(), further_sum = (further(average_) * missing_).sum();
+    const float sum = specular + diffuse + further_sum;
+    specular_probability_ = sum > 0.0f ? specular / sum : 1.0f;
+    // A little of further bounces the cosine lobe serves as well.
+    if (further_sum > 0.01f * diffuse)
+      grazing_ = GrazingLobe(ggx_.alpha), grazing_probability_ = further_sum / sum;
+    diffuse_probability_ = std::max(1.0f - specular_probability_ - grazing_probability_, 0.0f);
   }
 
   SampledSpectrum<N> further(GgxAlbedo::Factors average_e) const {
@@ -114,8 +124,7 @@ class OpaqueBsdf {
     for (int j = 0; j < N; ++j)
       if (average_base[j] > 0.0f) f.v[j] = diffuse_[j] * transmitted_[j] / average_base[j];
     f *= transmitted(e, average_);
-    const float missing_average = 1.0f - average_.total();
-    if (missing_average > 0.0f) f += further(average_) * (missing_ * (1.0f - e.total()) / missing_average);
+    if (average_.missing > 0.0f) f += further(average_) * (missing_ * e.missing / average_.missing);
     return f * cosine_hemisphere_pdf(wi.z);
   }
 
@@ -126,10 +135,12 @@ class OpaqueBsdf {
   Fresnel dielectric_, metal_;
   SampledSpectrum<N> diffuse_;
 
-  GgxAlbedo::Factors average_;      ///< of the single bounce's albedo
-  float missing_;                   ///< 1 − E(wo), the share of further bounces
-  SampledSpectrum<N> transmitted_;  ///< into the base, of what comes from wo
-  float specular_probability_;      ///< of choosing the GGX lobe
+  GgxAlbedo::Factors average_;                        ///< of the single bounce's albedo
+  float missing_;                                     ///< 1 − E(wo), the share of further bounces
+  SampledSpectrum<N> transmitted_;                    ///< into the base, of what comes from wo
+  GrazingLobe grazing_;                               ///< of further bounces
+  float specular_probability_, diffuse_probability_;  ///< of choosing the GGX lobe, the cosine
+  float grazing_probability_ = 0.0f;                  ///< and, where further bounces matter, theirs
 };
 
 }  // namespace photopic

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/fresnel_albedo.h"
 #include "core/ggx_albedo.h"
+#include "core/grain_albedo.h"
 #include "core/rough_glass.h"
 #include "core/sheen.h"
 #include "spectral/lamp_set.h"
@@ -23,8 +23,8 @@ PreparedScene::PreparedScene(Scene source)
   if (std::ranges::any_of(surfaces, is_rough)) GgxAlbedo::table();
   for (const Surface& s : surfaces) {
     if (!s.extensions) continue;
-    FresnelAlbedo::isotropic();
-    if (s.extensions->anisotropy > 0.0f) FresnelAlbedo::anisotropic();
+    FresnelAlbedo::table();
+    if (s.extensions->anisotropy > 0.0f) GrainAlbedo::table();
     if (s.extensions->has_sheen()) SheenAlbedo::table();
   }
 }

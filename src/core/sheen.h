@@ -2,12 +2,13 @@
 
 #include <array>
 
-#include "core/math.h"
+#include "core/sampling.h"
 
 namespace photopic {
 
 /// KHR_materials_sheen: cloth fibres, the "Charlie" distribution with its fitted shadowing (Estevez & Kulla
-/// 2017, "Production Friendly Microfacet Sheen BRDF"), of unit colour.
+/// 2017, "Production Friendly Microfacet Sheen BRDF"), of unit colour. The formulas give back up to three
+/// times what arrives at grazing angles; a factor s(wo)·s(wi) ≤ 1 spares that and keeps them reciprocal.
 class Sheen {
  public:
   Sheen(float roughness, Vec3f wo);
@@ -17,25 +18,36 @@ class Sheen {
   /// ∫ f·cos θi dω, at most 1.
   float albedo() const { return albedo_; }
 
-  /// The same straight from the formulas, which may exceed 1 at grazing angles; evaluate() is scaled to spare
-  /// that.
-  static float integrate(float cos_theta, float roughness);
+  /// [1/sr]; denser towards the horizon, where smooth sheen is.
+  float pdf(Vec3f wi) const { return 0.5f * kInvPi * spread_ * (1.0f + spread_) / sqr(wi.z + spread_); }
+  Vec3f sample(Sample2d u) const;
 
  private:
   Vec3f wo_;
   float roughness_, albedo_, scale_;
+  float spread_;
 };
 
-/// Tabulated Sheen::integrate.
+/// Tabulated factors s and the albedos they lead to.
 class SheenAlbedo {
  public:
+  /// The table, integrated when first asked for (0.2 s of one core).
   static const SheenAlbedo& table();
-  float operator()(float cos_theta, float roughness) const;
+
+  struct Entry {
+    float scale, albedo;
+  };
+  /// At cos θ in [0, 1] and (perceptual) roughness in [0, 1].
+  Entry operator()(float cos_theta, float roughness) const;
 
  private:
-  static constexpr int kSize = 32;
+  static constexpr int kCosines = 96, kRoughnesses = 32;
+  using Row = std::array<Entry, kCosines>;
   SheenAlbedo();
-  std::array<std::array<float, kSize>, kSize> albedo_;  ///< [roughness][√cos θ], equal steps
+  static Row row(float roughness);
+  static Entry at(const Row& row, float cos_theta);
+
+  std::array<Row, kRoughnesses> rows_;
 };
 
 }  // namespace photopic

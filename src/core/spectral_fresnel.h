@@ -107,7 +107,7 @@ class FresnelFit {
   /// Kulla & Conty 2017, the colour of all further bounces; 1 where F is. @param e cosine-averaged weights
   SampledSpectrum<N> further_bounces(const FresnelAlbedo::Weights& e) const {
     const SampledSpectrum<N> average = albedo(smooth_average()), one(1.0f);
-    return average * average * e.total() / (one - average * (1.0f - e.total()));
+    return average * average * (1.0f - e.missing) / (one - average * e.missing);
   }
 
   /// The weights of the cosine-weighted average of F, 2∫F μ dμ.

@@ -56,54 +56,6 @@ TEST(OpaqueBsdf, SamplesItsDensity) {
       }
 }
 
-/// A white surface in a white furnace is not seen: whatever the roughness, nothing is lost.
-TEST(OpaqueBsdf, WhiteFurnace) {
-  double worst = 0.0;
-  for (float metallic : {0.0f, 0.5f, 1.0f})
-    for (float roughness = 0.0f; roughness < 1.01f; roughness += 0.1f)
-      for (double cos_theta : {1.0, 0.8, 0.5, 0.2, 0.1, 0.05, 0.02}) {
-        Material m = plastic(ConstantSpectrum{1.0}, std::min(roughness, 1.0f));
-        m.metallic = metallic;
-        const double albedo = sampled_albedo(local_bsdf(m), direction(cos_theta), 1 << 13).mean;
-        worst = std::max(worst, std::abs(albedo - 1.0));
-        EXPECT_NEAR(albedo, 1.0, 0.01)
-            << "metallic " << metallic << " roughness " << roughness << " cos " << cos_theta;
-      }
-  RecordProperty("worst", std::to_string(worst));
-}
-
-TEST(OpaqueBsdf, NeverGainsEnergy) {
-  for (float ior : {0.0f, 1.0f, 1.5f, 4.0f})
-    for (float specular : {0.0f, 0.5f, 1.0f})
-      for (float roughness : {0.0f, 0.03f, 0.3f, 1.0f})
-        for (double cos_theta : {1.0, 0.3, 0.02}) {
-          Material m = plastic(ConstantSpectrum{1.0}, roughness, ior);
-          m.specular = specular;
-          const double albedo = sampled_albedo(local_bsdf(m), direction(cos_theta), 4096).mean;
-          EXPECT_LT(albedo, 1.01) << "ior " << ior << " specular " << specular << " roughness " << roughness
-                                  << " cos " << cos_theta;
-          EXPECT_GT(albedo, 0.99) << "ior " << ior << " specular " << specular << " roughness " << roughness
-                                  << " cos " << cos_theta;
-        }
-}
-
-TEST(OpaqueBsdf, IsReciprocal) {
-  Material mixed = plastic(ConstantSpectrum{0.5}, 0.0f);
-  mixed.metallic = 0.4f;
-  for (Material m : {metal(ConstantSpectrum{0.8}, 0), plastic(ConstantSpectrum{0.5}, 0), mixed})
-    for (float roughness : {0.1f, 0.4f, 1.0f}) {
-      m.roughness = roughness;
-      const LocalBsdf bsdf = local_bsdf(m);
-      for (std::uint32_t i = 0; i < 200; ++i) {
-        const SampleStream stream(Sequence::independent, 2, 0, i);
-        const Vec3f a = sample_cosine_hemisphere(stream.get_2d(0)),
-                    b = sample_cosine_hemisphere(stream.get_2d(1));
-        const double ab = bsdf.evaluate(a, b).f_cos / b.z, ba = bsdf.evaluate(b, a).f_cos / a.z;
-        EXPECT_NEAR(ab, ba, 1e-3 * (ab + 1e-3));
-      }
-    }
-}
-
 /// At normal incidence a mirror of ior n reflects ((n − 1)/(n + 1))², a metal its base colour.
 TEST(OpaqueBsdf, SmoothReflectanceAtNormalIncidence) {
   const Vec3f up{0, 0, 1};

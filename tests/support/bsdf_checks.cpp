@@ -198,4 +198,33 @@ Estimate sampled_albedo(const LocalBsdf& bsdf, Vec3f wo, int samples, bool scale
   return albedo.estimate();
 }
 
+Furnace furnace(const LocalBsdf& bsdf, Vec3f wo, double ior) {
+  constexpr std::uint32_t kSequences = 8, kFewest = 256, kMost = 4096;
+  constexpr int kLobes = 16;  // choices of the lobe at every point, equally far apart
+  constexpr double kError = 0.00125;
+  const double crossing = wo.z > 0.0f ? ior * ior : 1.0 / (ior * ior);
+  std::array<double, kSequences> sums{};
+  RunningMean weights;
+  Furnace result{{0.0, 1.0}, 0.0, 0.0};
+  std::uint32_t i = 0;
+  for (std::uint32_t end = kFewest; end <= kMost && result.albedo.error > kError; end *= 2) {
+    for (; i < end; ++i)
+      for (std::uint32_t seed = 0; seed < kSequences; ++seed) {
+        const SampleStream stream(Sequence::sobol, seed, 0, i);
+        for (int lobe = 0; lobe < kLobes; ++lobe) {
+          const float u_lobe = (stream.get_1d(0) + static_cast<float>(lobe)) / kLobes;
+          const auto s = bsdf.sample(wo, std::min(u_lobe, 0x1.fffffep-1f), stream.get_2d(1));
+          const double weight = s ? s->weight * (s->wi.z * wo.z < 0.0f ? crossing : 1.0) : 0.0;
+          sums[seed] += weight, weights.add(weight);
+          result.largest = std::max(result.largest, weight);
+        }
+      }
+    RunningMean means;
+    for (const double sum : sums) means.add(sum / (end * kLobes));
+    result.albedo = means.estimate();
+    result.variance = weights.estimate().error * weights.estimate().error * kSequences * end * kLobes;
+  }
+  return result;
+}
+
 }  // namespace photopic::test

@@ -63,4 +63,15 @@ BsdfReport examine(const LocalBsdf& bsdf, Vec3f wo, Vec3f axis, int samples, std
 /// The mean of weight·(eta² if `scaled`) over samples: the share of energy that goes on.
 Estimate sampled_albedo(const LocalBsdf& bsdf, Vec3f wo, int samples, bool scaled = false);
 
+/// What a white furnace shows from one direction.
+struct Furnace {
+  Estimate albedo;  ///< the mean weight of samples, scaled by the squared index ratio where light crosses
+  double variance;  ///< of those weights
+  double largest;   ///< of them
+};
+/// Over eight scrambled sequences, every lobe at every point, for an error far below that of independent
+/// samples: 0.00125, or what 2^19 samples reach.
+/// @param ior of what is below the surface, where light refracts into it
+Furnace furnace(const LocalBsdf& bsdf, Vec3f wo, double ior = 1.0);
+
 }  // namespace photopic::test

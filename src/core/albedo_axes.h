@@ -1,0 +1,61 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "core/microfacet.h"
+#include "core/table_position.h"
+
+namespace photopic {
+
+/// The axes of albedo tables: cos θ and roughness, each by its fourth root in equal steps. A rough surface
+/// changes most where cos θ is near α, however small α is, so either axis is dense near zero.
+
+/// Below this roughness surfaces are smooth and need no table: its α is kSmoothAlpha.
+inline constexpr float kSmoothRoughness = 0.0316228f;
+inline constexpr float kSmoothRoughnessRoot = 0.4216965f;  ///< its fourth root
+
+inline float fourth_root(float x) {
+  return std::sqrt(safe_sqrt(x));
+}
+
+inline TablePosition locate_cosine(float cos_theta, int size) {
+  return locate(fourth_root(cos_theta), size);
+}
+inline TablePosition locate_roughness(float roughness, int size) {
+  return locate((fourth_root(roughness) - kSmoothRoughnessRoot) / (1.0f - kSmoothRoughnessRoot), size);
+}
+
+/// cos θ and roughness of node i; the former at least 1e-6, where albedos still have a limit.
+inline float albedo_cosine(int i, int size) {
+  return std::max(sqr(sqr(static_cast<float>(i) / static_cast<float>(size - 1))), 1e-6f);
+}
+inline float albedo_roughness(int i, int size) {
+  const float root = kSmoothRoughnessRoot +
+                     (1.0f - kSmoothRoughnessRoot) * static_cast<float>(i) / static_cast<float>(size - 1);
+  return sqr(sqr(root));
+}
+
+/// What each node of an axis of cos θ weighs in the cosine-weighted average 2∫ … μ dμ of what is linear
+/// between nodes. @param locate TablePosition of cos θ
+template <typename Locate>
+std::vector<float> cosine_average_weights(const Locate& locate, int size) {
+  constexpr int kSteps = 1 << 14;
+  std::vector<double> sums(static_cast<std::size_t>(size));
+  for (int i = 0; i < kSteps; ++i) {  // μ = x⁴, 2μ dμ = 8x⁷ dx
+    const double x = (i + 0.5) / kSteps, x2 = x * x;
+    const TablePosition place = locate(static_cast<float>(x2 * x2));
+    for (int end = 0; end < 2; ++end)
+      sums[static_cast<std::size_t>(place.cell + end)] += place.weight(end) * 8.0 / kSteps * x2 * x2 * x2 * x;
+  }
+  return {sums.begin(), sums.end()};
+}
+
+/// How much of what leaves towards wi is blocked, s in G2/G1 = 1/(1 + s); infinite below the horizon. What is
+/// lost is 1/(1 + 1/s), without cancellation.
+template <typename AnyGgx>
+float shadowing(const AnyGgx& ggx, Vec3f wo, Vec3f wi) {
+  return wi.z > 0.0f ? ggx.lambda(wi) * ggx.g1(wo) : std::numeric_limits<float>::infinity();
+}
+
+}  // namespace photopic
