@@ -185,8 +185,8 @@ void PathTracer<N>::trace_shadow_rays() {
     if (!batch_.blocked[slot]) batch_.radiance[slot] += batch_.shadow_radiance[slot];
 }
 
-/// Ends paths with the probability 1 − 1.5 max β: the brightest wavelength decides, so none is thrown away that
-/// counts.
+/// Ends paths with the probability 1 − 1.5 max β: the brightest wavelength decides, so none is thrown away
+/// that counts.
 template <int N>
 void PathTracer<N>::roulette(int depth) {
   if (depth < kRouletteDepth) return;

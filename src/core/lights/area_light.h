@@ -36,6 +36,9 @@ struct alignas(64) AreaLight {
   /// How far the plane lies in front of a point, along the normal: negative in front of the light [m].
   float height(Vec3f from) const { return dot(normal, vertex - from); }
 
+  /// Squared, of its longer edge [m²].
+  float extent2() const { return std::max(dot(edge1, edge1), dot(edge2, edge2)); }
+
   /// Bound on what rounding does to that height, and to a ray from there to the light [m]: it grows with the
   /// coordinates of either.
   template <typename T>
