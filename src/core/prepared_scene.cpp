@@ -1,7 +1,5 @@
 #include "core/prepared_scene.h"
 
-#include <algorithm>
-
 #include "core/ggx_albedo.h"
 #include "core/grain_albedo.h"
 #include "core/rough_glass.h"
@@ -19,9 +17,12 @@ PreparedScene::PreparedScene(Scene source)
   prepare_rough_glass(surfaces);
   // What is made when first asked for is made now, on nobody's clock.
   if (scene.environment) rgb_tints();
-  const auto is_rough = [](const Surface& s) { return s.opaque_kind != BsdfKind::diffuse || s.transmits; };
-  if (std::ranges::any_of(surfaces, is_rough)) GgxAlbedo::table();
-  for (const Surface& s : surfaces) {
+  std::vector<bool> used(surfaces.size());
+  for (const Shape& shape : scene.geometry.shapes) used[shape.material] = true;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    const Surface& s = surfaces[i];
+    if (!used[i]) continue;
+    if (s.opaque_kind != BsdfKind::diffuse || s.transmits) GgxAlbedo::table();
     if (!s.extensions) continue;
     FresnelAlbedo::table();
     if (s.extensions->anisotropy > 0.0f) GrainAlbedo::table();

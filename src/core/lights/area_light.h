@@ -28,7 +28,7 @@ struct alignas(64) AreaLight {
   Vec3f middle() const { return vertex + (edge1 + edge2) * (parallelogram ? 0.5f : 1.0f / 3.0f); }
 
   /// Squared distance of the middle, in extents, beyond which solid angle and area are sampled alike.
-  static constexpr float kFar2 = 3.0f;
+  static constexpr float kFar2 = 1.0f;
   /// Squared height above the plane, likewise, below which the solid angle is lost in rounding; as it is
   /// where the height itself may be nothing but rounding.
   static constexpr float kTouching2 = 1e-11f;
