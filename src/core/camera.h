@@ -20,10 +20,8 @@ inline constexpr float kFarthest = 3e13f;
 /// Whether a ray can be traced: it is finite and not too far away.
 template <typename T>
 auto is_traceable(const BasicRay<T>& ray) {
-  const auto near = [](const Vec3<T>& a) {
-    return (abs(a.x) < kFarthest) & (abs(a.y) < kFarthest) & (abs(a.z) < kFarthest);
-  };
-  return near(ray.origin) & near(ray.direction);
+  const auto extent = [](const Vec3<T>& a) { return abs(a.x) + abs(a.y) + abs(a.z); };
+  return extent(ray.origin) + extent(ray.direction) < kFarthest;
 }
 
 /// glTF's cameras: look down −z, +y up, square pixels; perspective or orthographic, with a pinhole or a thin
