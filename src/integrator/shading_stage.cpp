@@ -109,7 +109,6 @@ void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, i
   const Lanes mis = select(lights.delta != 0, Lanes{} + 1.0f, power_heuristic(lights.pdf, pdf));
   const Lanes weight = lights.radiance * mis / lights.pdf;
   const Vec3Lanes origin = vertices.point.leave(lights.direction), to_end = lights.end - origin;
-
   const IntLanes inwards = vertices.is_inwards(lights.direction);
 
   // What would arrive?

@@ -62,6 +62,7 @@ struct VertexPacket {
   }
   const Bsdf& bsdf_of(int i) const { return *bsdf[static_cast<std::size_t>(i)]; }
 
+  /// Where each path goes on, as its BSDF draws it.
   DirectionSamples<N> sample(const Packet& packet, Lanes u_lobe, const Sample2dLanes& u) const {
     DirectionSamples<N> samples;
     if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>) {
