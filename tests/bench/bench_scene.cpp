@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <stdexcept>
 
@@ -40,6 +41,16 @@ BenchRequest parse_bench_request(int count, char** words) {
   }
   if (request.scene.empty()) throw std::invalid_argument("give a scene");
   return request;
+}
+
+int run_bench(const char* name, void (*run)(const BenchRequest&), int count, char** words) {
+  try {
+    run(parse_bench_request(count, words));
+    return EXIT_SUCCESS;
+  } catch (const std::exception& problem) {
+    std::fprintf(stderr, "%s: %s\n", name, problem.what());
+    return EXIT_FAILURE;
+  }
 }
 
 std::unique_ptr<PreparedScene> load_bench_scene(const BenchRequest& request) {

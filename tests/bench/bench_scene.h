@@ -24,6 +24,9 @@ struct BenchRequest {
 /// @throws std::invalid_argument
 BenchRequest parse_bench_request(int count, char** words);
 
+/// A benchmark's main: its problems in one line on stderr. @return the exit code
+int run_bench(const char* name, void (*run)(const BenchRequest&), int count, char** words);
+
 std::unique_ptr<PreparedScene> load_bench_scene(const BenchRequest& request);
 
 /// @throws std::invalid_argument when the sampler's name is not known

@@ -179,11 +179,5 @@ void run(const BenchRequest& request) {
 }  // namespace
 
 int main(int count, char** words) {
-  try {
-    run(parse_bench_request(count, words));
-    return EXIT_SUCCESS;
-  } catch (const std::exception& problem) {
-    std::fprintf(stderr, "replay: %s\n", problem.what());
-    return EXIT_FAILURE;
-  }
+  return run_bench("replay", run, count, words);
 }
