@@ -22,7 +22,7 @@ struct Features {
 Features features_of(const PreparedScene& scene);
 
 /// The inner loops that are compiled, each for 1, 4, 8 and 16 wavelengths. A scene gets the first that covers
-/// it: what that one lacks costs nothing. docs/benchmarks.md has what each brings.
+/// it, which does not ask for what it lacks; of the rest it asks the scene.
 inline constexpr Features kPlain{};
 inline constexpr Features kManyLights{.several_lights = true};
 inline constexpr Features kTextured{.several_lights = true, .textures = true};

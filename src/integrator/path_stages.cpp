@@ -22,7 +22,7 @@ PathTracer<N, kHas>::PathTracer(const PreparedScene& scene, const WavelengthSamp
       table_(table),
       batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene),
       shading_(scene) {
-  if constexpr (kHas.media) camera_media_ = media_at(scene, scene.scene.camera.position);
+  if (kHas.media && !batch_.media.empty()) camera_media_ = media_at(scene, scene.scene.camera.position);
 }
 
 template <int N, Features kHas>
@@ -43,7 +43,7 @@ void PathTracer<N, kHas>::advance(std::span<const PathKey> paths) {
     intersect();
     done(kStageIntersect);
     absorb_and_emit();
-    if constexpr (kHas.media) pass_hidden_surfaces();
+    if (kHas.media && !batch_.media.empty()) pass_hidden_surfaces();
     done(kStageEmit);
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
@@ -91,7 +91,8 @@ void PathTracer<N, kHas>::look_up_wavelengths() {
     const auto& sampled = batch_.sampled[slot];
     batch_.wavelengths[slot] =
         PathWavelengths<N>(sampled, table_.look_up<N>(sampled.lambda, batch_.emissions_of(slot)));
-    if constexpr (kHas.environment) batch_.tints[slot] = SampledTints<N>(batch_.wavelengths[slot].lambda);
+    if (kHas.environment && !batch_.tints.empty())
+      batch_.tints[slot] = SampledTints<N>(batch_.wavelengths[slot].lambda);
   }
 }
 
@@ -105,7 +106,7 @@ void PathTracer<N, kHas>::leave_camera(const Packet& packet, const RayLanes& ray
     batch_.radiance[slot] = SampledSpectrum<N>(0.0f);
     batch_.bsdf_pdf[slot] = 0.0f;
     batch_.eta_scale[slot] = 1.0f;
-    if constexpr (kHas.media) batch_.media[slot] = camera_media_;
+    if (kHas.media && !batch_.media.empty()) batch_.media[slot] = camera_media_;
   }
 }
 
@@ -124,7 +125,7 @@ void PathTracer<N, kHas>::escape() {
     const Vec3f direction = batch_.rays.direction[slot], rgb = environment.radiance(direction);
     SampledSpectrum<N> arriving = batch_.throughput[slot] * batch_.tints[slot](rgb.x, rgb.y, rgb.z) *
                                   batch_.emission_of(slot, environment.emission_spectrum);
-    if constexpr (kHas.media)
+    if (kHas.media && !batch_.media.empty())
       attenuate(arriving, scene_, batch_.media[slot].current(), batch_.wavelengths[slot].lambda,
                 std::numeric_limits<float>::infinity());
     if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
@@ -139,12 +140,11 @@ void PathTracer<N, kHas>::escape() {
 template <int N, Features kHas>
 void PathTracer<N, kHas>::absorb_and_emit() {
   const Geometry& geometry = scene_.scene.geometry;
-  if constexpr (kHas.environment)
-    if (scene_.scene.environment) escape();
+  if (kHas.environment && scene_.scene.environment) escape();
   std::erase_if(batch_.active, [&](std::uint32_t slot) { return batch_.hits[slot].shape == kNoHit; });
   for (const std::uint32_t slot : batch_.active) {
     const Hit& hit = batch_.hits[slot];
-    if constexpr (kHas.media) travel(slot);
+    if (kHas.media && !batch_.media.empty()) travel(slot);
     const std::uint32_t material = geometry.shapes[hit.shape].material;
     const Surface& surface = scene_.surfaces[material];
     if (!surface.emits) continue;
@@ -171,7 +171,7 @@ void PathTracer<N, kHas>::sort_by_bsdf(int depth) {
     BsdfKind kind = surface.opaque_kind;
     if (!surface.scatters) continue;
     const TrianglePoint point(scene_.scene.geometry, batch_.hits[slot]);
-    if constexpr (kHas.textures) surface.prefetch(point);
+    if (kHas.textures) surface.prefetch(point);
     if (surface.transmits)
       kind =
           ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda, point, batch_.outside_of(slot, scene_))

@@ -69,7 +69,7 @@ LightSampleLanes ShadingStage<N, kHas>::choose_lights(PathBatch<N>& batch, const
   const SampleStreamLanes stream = batch.stream.gather(packet);
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kLightPoint));
   LightSampleLanes lights;
-  if constexpr (!kHas.several_lights) {
+  if (!kHas.several_lights || scene_.lights.has_only_light()) {
     scene_.lights.sample_only_light(vertices.point.position, u, lights);
     return lights;
   }
@@ -129,7 +129,7 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
       arriving *= lamp_tint(batch, slot, lights.material[i], lights.triangle[i], lane(lights.end, i));
     if (arriving.is_black()) continue;
     const float distance = lights.distance[i];
-    if constexpr (kHas.media)
+    if (kHas.media && !batch.media.empty())
       attenuate(arriving, scene_, batch.media[slot].on_side(inwards[i]), batch.wavelengths[slot].lambda,
                 distance);
 
@@ -167,7 +167,7 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
     batch.vertex.set(slot, lane(vertices.point.position, i));
     batch.bsdf_pdf[slot] = samples.pdf[i];
     batch.eta_scale[slot] *= sqr(samples.eta[i]);
-    if constexpr (kHas.media) batch.media[slot].go_on(scene_.surfaces, inwards[i]);
+    if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(scene_.surfaces, inwards[i]);
     batch.active.push_back(slot);
   }
   return split;
