@@ -22,7 +22,7 @@ class AliasTable {
 
   /// Fetches what sample() will want.
   void prefetch(double u) const {
-    __builtin_prefetch(&bins_[static_cast<std::size_t>(u * static_cast<double>(bins_.size()))]);
+    __builtin_prefetch(bins_.data() + static_cast<std::size_t>(u * static_cast<double>(bins_.size())));
   }
 
  private:

@@ -10,16 +10,22 @@ LightSampler::Picks LightSampler::pick_lights(const LightReferenceLanes& at) con
     picks[k] = pick(at.spectra[k], at.u_choice[k]);
     u[k] = picks[k].u;
   }
+
+  // Down the trees, one after the other.
   for (const Group& group : groups_) {
+    if (group.tree.empty()) continue;
     std::array<std::uint32_t, kLanes> lanes;
     std::size_t count = 0;
-    for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(at.count); ++k)
+    for (std::uint32_t k = 0; k < kLanes; ++k)
       if (picks[k].tree == &group.tree) lanes[count++] = k;
     if (count == 0) continue;
+    const std::span<const std::uint32_t> wanted(lanes.data(), count);
     LightTree::Choices choices;
-    group.tree.choose({at.position, at.normal}, u, std::span(lanes).first(count), choices);
-    for (std::uint32_t k : std::span(lanes).first(count)) picks[k].take(choices[k]);
+    group.tree.choose({at.position, at.normal}, u, wanted, choices);
+    for (const std::uint32_t k : wanted) picks[k].take(choices[k]);
   }
+
+  // What is chosen is soon wanted.
   for (const Pick& pick : picks)
     if (pick.light < area_lights_.list().size()) __builtin_prefetch(&area_lights_.list()[pick.light]);
   return picks;

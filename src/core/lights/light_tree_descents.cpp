@@ -37,8 +37,7 @@ class LightTree::Descents {
 
   DoubleLanes u_;
   Lanes probability_ = Lanes{} + 1.0f;
-  Lanes total_;      ///< of the branches' importances
-  IntLanes branch_;  ///< drawn
+  IntLanes branch_;  ///< drawn, where the probability is above 0
 
   std::array<std::uint32_t, kLanes> node_{};
   std::array<std::uint32_t, kLanes> under_way_;  ///< lanes, the first count_
@@ -72,12 +71,12 @@ LaneMatrix LightTree::Descents::weigh_nodes() const {
 
 void LightTree::Descents::draw(const LaneMatrix& weight) {
   LaneMatrix up_to;
-  total_ = Lanes{};
-  for (std::size_t i = 0; i < kWidth; ++i) up_to[i] = total_ += weight[i];
+  Lanes total{};
+  for (std::size_t i = 0; i < kWidth; ++i) up_to[i] = total += weight[i];
 
   // The first whose sum lies above: sums never fall, so that it has a weight.
-  const DoubleLanes target = u_ * to_double(total_);
-  const Lanes below_total = total_ * (1.0f - 0x1p-24f), rounded = min(to_float(target), below_total);
+  const DoubleLanes target = u_ * to_double(total);
+  const Lanes below_total = total * (1.0f - 0x1p-24f), rounded = min(to_float(target), below_total);
   branch_ = IntLanes{};
   Lanes passed{}, share{};
   for (std::size_t i = kWidth; i-- > 0;) share = select(up_to[i] > rounded, weight[i], share);
@@ -86,7 +85,7 @@ void LightTree::Descents::draw(const LaneMatrix& weight) {
     branch_ -= below;
     passed = select(below, up_to[i], passed);
   }
-  probability_ *= share / total_;
+  probability_ *= share / total;
 
   const DoubleLanes rest = (target - to_double(passed)) / to_double(share);
   const DoubleLanes least{}, most = least + (1.0 - 0x1p-53);
@@ -98,7 +97,7 @@ bool LightTree::Descents::go_on() {
   for (std::size_t j = 0; j < count_; ++j) {
     const std::uint32_t k = under_way_[j];
     choices_[k] = {kNoLight, 0.0f};
-    if (!(total_[k] > 0.0f)) continue;
+    if (!(probability_[k] > 0.0f)) continue;  // 0/0 where nothing shines
     const Node& node = tree_.nodes_[node_[k]];
     const auto branch = static_cast<std::uint32_t>(branch_[k]);
     const std::int32_t child = node.child[branch];
