@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "core/lights/area_sampling.h"
 #include "core/lights/spherical_polygon.h"
 #include "core/surface_point.h"
 
@@ -103,50 +104,43 @@ SphericalPolygon seen_from(Vec3f from, const AreaLight& light, float height) {
   return {{a, b, c, c}, 3, 2.0f * std::abs(height) * light.area};
 }
 
-bool is_by_area(Vec3f from, const AreaLight& light, float height) {
-  const Vec3f to_middle = light.middle() - from;
-  const float extent2 = light.extent2();
-  return dot(to_middle, to_middle) > AreaLight::kFar2 * extent2 ||
-         height * height < AreaLight::kTouching2 * extent2 || std::abs(height) < light.rounding(from);
-}
-
 }  // namespace
 
 std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
-  const float h = height(from);
+  const LightView<float> view(*this, from);
+  const float h = view.height;
   if (h == 0.0f || (h > 0.0f && !double_sided)) return {};
   LightSample s{};
-  int half;  // of a parallelogram: 0 on edge1
-  if (is_by_area(from, *this, h)) {
-    const Sample2d b = parallelogram ? u : sample_triangle(u);
-    const Vec3f to_point = vertex - from + edge1 * b.x + edge2 * b.y;
-    const float distance2 = dot(to_point, to_point);
-    s.distance = std::sqrt(distance2);
-    s.direction = to_point * (1.0f / s.distance);
-    s.pdf = distance2 * s.distance / (std::abs(h) * area);
-    half = b.x > b.y ? 0 : 1;
-  } else {
+  bool first_half;  // of a parallelogram: that on edge1
+  if (view.looms(*this)) {
     const SphericalPolygon polygon = seen_from(from, *this, h);
     const SphericalPolygon::Sample way = polygon.sample(u);
     const float cosine = dot(normal, way.direction);
     if (!(cosine * h > 0.0f) || !(polygon.solid_angle() > 0.0f)) return {};
     s.distance = h / cosine;
     s.direction = way.direction;
+    s.end = view.end(*this, s.direction * s.distance);
     s.pdf = 1.0f / polygon.solid_angle();
-    half = way.part;
+    first_half = way.part == 0;
+  } else {
+    const Sample2d b = sample_area(*this, u);
+    const Vec3f to_point = view.to_vertex + edge1 * b.x + edge2 * b.y;
+    s.distance = length(to_point);
+    s.direction = to_point * (1.0f / s.distance);
+    s.end = view.end(*this, to_point);
+    s.pdf = view.pdf_by_area(*this, s.distance);
+    first_half = b.x > b.y;
   }
-  const float away = rounding(from);
-  s.end = from + s.direction * s.distance + normal * (h < 0.0f ? away : -away);
   s.material = material;
-  s.triangle = triangle + (parallelogram && half == 0 ? 1u : 0u);
+  s.triangle = triangle + (parallelogram && first_half ? 1u : 0u);
   return s;
 }
 
 float AreaLight::pdf(Vec3f from, float distance) const {
-  const float h = height(from);
-  if (h == 0.0f) return 0.0f;
-  if (is_by_area(from, *this, h)) return distance * distance * distance / (std::abs(h) * area);
-  const float solid_angle = seen_from(from, *this, h).solid_angle();
+  const LightView<float> view(*this, from);
+  if (view.height == 0.0f) return 0.0f;
+  if (!view.looms(*this)) return view.pdf_by_area(*this, distance);
+  const float solid_angle = seen_from(from, *this, view.height).solid_angle();
   return solid_angle > 0.0f ? 1.0f / solid_angle : 0.0f;
 }
 

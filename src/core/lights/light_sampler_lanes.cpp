@@ -5,32 +5,29 @@ namespace photopic {
 
 LightSampler::Picks LightSampler::pick_lights(const LightReferenceLanes& at) const {
   Picks picks;
-  std::array<LightTree::Descent, kLanes> descents;
-  std::array<std::size_t, kLanes> under_way;
-  std::size_t count = 0;
-  for (int i = 0; i < at.count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+  std::array<double, kLanes> u{};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(at.count); ++k) {
     picks[k] = pick(at.spectra[k], at.u_choice[k]);
-    if (!picks[k].tree) continue;
-    descents[k] = LightTree::Descent(*picks[k].tree, at[i], picks[k].u);
-    under_way[count++] = k;
+    u[k] = picks[k].u;
   }
 
-  // Down the trees in turns. What is chosen is soon wanted.
-  while (count > 0) {
-    std::size_t still = 0;
-    for (std::size_t j = 0; j < count; ++j) {
-      const std::size_t k = under_way[j];
-      if (descents[k].step()) {
-        under_way[still++] = k;
-        continue;
-      }
-      picks[k].take(descents[k].choice());
-      if (picks[k].light < area_lights_.list().size())
-        __builtin_prefetch(&area_lights_.list()[picks[k].light]);
-    }
-    count = still;
+  // Down the trees, one after the other.
+  for (const Group& group : groups_) {
+    if (group.tree.empty()) continue;
+    std::array<std::uint32_t, kLanes> lanes;
+    std::size_t count = 0;
+    for (std::uint32_t k = 0; k < kLanes; ++k)
+      if (picks[k].tree == &group.tree) lanes[count++] = k;
+    if (count == 0) continue;
+    const std::span<const std::uint32_t> wanted(lanes.data(), count);
+    LightTree::Choices choices;
+    group.tree.choose({at.position, at.normal}, u, wanted, choices);
+    for (const std::uint32_t k : wanted) picks[k].take(choices[k]);
   }
+
+  // What is chosen is soon wanted.
+  for (const Pick& pick : picks)
+    if (pick.light < area_lights_.list().size()) __builtin_prefetch(&area_lights_.list()[pick.light]);
   return picks;
 }
 
