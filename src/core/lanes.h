@@ -23,6 +23,23 @@ inline Lanes select(IntLanes condition, Lanes a, Lanes b) {
   return condition ? a : b;
 }
 
+inline bool select(bool condition, bool a, bool b) {
+  return condition ? a : b;
+}
+inline IntLanes select(IntLanes condition, IntLanes a, IntLanes b) {
+  return condition ? a : b;
+}
+
+/// Whether a mask is set in any lane.
+inline bool any(bool mask) {
+  return mask;
+}
+inline bool any(IntLanes mask) {
+  std::int32_t all = 0;
+  for (int i = 0; i < kLanes; ++i) all |= mask[i];
+  return all != 0;
+}
+
 // On floats the names below mean the standard library's functions.
 using std::abs, std::copysign, std::floor, std::max, std::min, std::sqrt;
 

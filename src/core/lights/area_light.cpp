@@ -3,7 +3,6 @@
 #include <numbers>
 
 #include "core/lights/area_sampling.h"
-#include "core/lights/spherical_polygon.h"
 #include "core/surface_point.h"
 
 namespace photopic {
@@ -98,41 +97,16 @@ std::optional<AreaLight> make_light(const Outline& outline, bool whole, float er
                    .double_sided = double_sided};
 }
 
-SphericalPolygon seen_from(Vec3f from, const AreaLight& light, float height) {
-  const Vec3f a = light.vertex - from, b = a + light.edge1, c = a + light.edge2;
-  if (light.parallelogram) return {{a, b, b + light.edge2, c}, 4, std::abs(height) * light.area};
-  return {{a, b, c, c}, 3, 2.0f * std::abs(height) * light.area};
-}
-
 }  // namespace
 
 std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
-  const LightView<float> view(*this, from);
-  const float h = view.height;
-  if (h == 0.0f || (h > 0.0f && !double_sided)) return {};
+  const AreaSample<float> point = sample_area_light(*this, from, u);
+  if (!point.reached) return {};
   LightSample s{};
-  bool first_half;  // of a parallelogram: that on edge1
-  if (view.looms(*this)) {
-    const SphericalPolygon polygon = seen_from(from, *this, h);
-    const SphericalPolygon::Sample way = polygon.sample(u);
-    const float cosine = dot(normal, way.direction);
-    if (!(cosine * h > 0.0f) || !(polygon.solid_angle() > 0.0f)) return {};
-    s.distance = h / cosine;
-    s.direction = way.direction;
-    s.end = view.end(*this, s.direction * s.distance);
-    s.pdf = 1.0f / polygon.solid_angle();
-    first_half = way.part == 0;
-  } else {
-    const Sample2d b = sample_area(*this, u);
-    const Vec3f to_point = view.to_vertex + edge1 * b.x + edge2 * b.y;
-    s.distance = length(to_point);
-    s.direction = to_point * (1.0f / s.distance);
-    s.end = view.end(*this, to_point);
-    s.pdf = view.pdf_by_area(*this, s.distance);
-    first_half = b.x > b.y;
-  }
+  s.direction = point.direction, s.end = point.end;
+  s.distance = point.distance, s.pdf = point.pdf;
   s.material = material;
-  s.triangle = triangle + (parallelogram && first_half ? 1u : 0u);
+  s.triangle = triangle + (parallelogram && point.in_first ? 1u : 0u);
   return s;
 }
 
@@ -140,7 +114,7 @@ float AreaLight::pdf(Vec3f from, float distance) const {
   const LightView<float> view(*this, from);
   if (view.height == 0.0f) return 0.0f;
   if (!view.looms(*this)) return view.pdf_by_area(*this, distance);
-  const float solid_angle = seen_from(from, *this, view.height).solid_angle();
+  const float solid_angle = view.outline(*this).solid_angle();
   return solid_angle > 0.0f ? 1.0f / solid_angle : 0.0f;
 }
 

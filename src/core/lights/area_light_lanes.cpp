@@ -38,19 +38,14 @@ AreaLightLanes::AreaLightLanes(const std::array<const AreaLight*, kLanes>& light
   }
 }
 
-IntLanes AreaLightLanes::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& s) const {
-  const LightView<Lanes> view(*this, from);
-  s.reached = (view.height < 0.0f) | (double_sided & (view.height > 0.0f));
-  const Sample2dLanes b = sample_area(*this, u);
-  const Vec3Lanes to_point = view.to_vertex + edge1 * b.x + edge2 * b.y;
-  s.distance = length(to_point);
-  s.direction = to_point * (1.0f / s.distance);
-  s.end = view.end(*this, to_point);
-  s.pdf = view.pdf_by_area(*this, s.distance);
+void AreaLightLanes::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& s) const {
+  const AreaSample<Lanes> point = sample_area_light(*this, from, u);
+  s.reached = point.reached;
+  s.direction = point.direction, s.end = point.end;
+  s.distance = point.distance, s.pdf = point.pdf;
   s.delta = s.environment = IntLanes{};
   s.material = material;
-  s.triangle = triangle + (reinterpret_cast<UintLanes>(parallelogram & (b.x > b.y)) & 1u);
-  return s.reached & view.looms(*this);
+  s.triangle = triangle + (reinterpret_cast<UintLanes>(parallelogram & point.in_first) & 1u);
 }
 
 }  // namespace photopic

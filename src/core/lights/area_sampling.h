@@ -1,12 +1,11 @@
 #pragma once
 
-#include "core/math.h"
-#include "core/sampling.h"
+#include "core/lights/spherical_polygon.h"
 #include "core/surface_point.h"
 
 namespace photopic {
 
-/// What AreaLight and AreaLightLanes do alike: T is float or Lanes, a Light has a vertex, edges, a normal …
+/// Points of area lights: of one AreaLight (T float), or of 16 as AreaLightLanes.
 
 /// Squared distance of the middle, in extents, beyond which solid angle and area are sampled alike.
 inline constexpr float kFar2 = 1.0f;
@@ -40,6 +39,14 @@ struct LightView {
            (abs(height) >= rounding);
   }
 
+  template <typename Light>
+  BasicSphericalPolygon<T> outline(const Light& light) const {
+    const Vec3<T> second = to_vertex + light.edge1, last = to_vertex + light.edge2;
+    const T volume = abs(height) * light.area;
+    return {{to_vertex, second, select(light.parallelogram, second + light.edge2, last), last},
+            {select(light.parallelogram, volume, 2.0f * volume), select(light.parallelogram, volume, T{})}};
+  }
+
   /// Density of directions where area is sampled [1/sr]. @param distance to the point [m]
   template <typename Light>
   T pdf_by_area(const Light& light, T distance) const {
@@ -53,12 +60,57 @@ struct LightView {
   }
 };
 
-/// Along the edges of a light, uniform on its area. Where x exceeds y, on a parallelogram, it is the half on
-/// edge1.
+/// LightSample's part that is geometry.
+template <typename T>
+struct AreaSample {
+  using Mask = decltype(T{} < T{});
+  Mask reached;  ///< else the rest means nothing
+  Vec3<T> direction, end;
+  T distance, pdf;
+  Mask in_first;  ///< the point is on the triangle of edge1, should the light have two
+};
+
 template <typename T, typename Light>
-BasicSample2d<T> sample_area(const Light& light, BasicSample2d<T> u) {
+AreaSample<T> sample_by_area(const Light& light, const LightView<T>& view, BasicSample2d<T> u) {
   const BasicSample2d<T> folded = sample_triangle(u);
-  return {select(light.parallelogram, u.x, folded.x), select(light.parallelogram, u.y, folded.y)};
+  const T x = select(light.parallelogram, u.x, folded.x), y = select(light.parallelogram, u.y, folded.y);
+  const Vec3<T> to_point = view.to_vertex + light.edge1 * x + light.edge2 * y;
+  const T distance = length(to_point);
+  return {view.height != 0.0f,
+          to_point * (1.0f / distance),
+          view.end(light, to_point),
+          distance,
+          view.pdf_by_area(light, distance),
+          x > y};
+}
+
+template <typename T, typename Light>
+AreaSample<T> sample_by_solid_angle(const Light& light, const LightView<T>& view, BasicSample2d<T> u) {
+  const BasicSphericalPolygon<T> outline = view.outline(light);
+  const auto way = outline.sample(u);
+  const T cosine = dot(light.normal, way.direction), distance = view.height / cosine;
+  const typename AreaSample<T>::Mask reached = (cosine * view.height > 0.0f) & (outline.solid_angle() > 0.0f);
+  return {reached,
+          way.direction,
+          view.end(light, way.direction * distance),
+          distance,
+          1.0f / outline.solid_angle(),
+          way.in_first};
+}
+
+/// A point of a light that shines to where it is seen from.
+template <typename T, typename Light>
+AreaSample<T> sample_area_light(const Light& light, Vec3<T> from, BasicSample2d<T> u) {
+  const LightView<T> view(light, from);
+  AreaSample<T> s = sample_by_area(light, view, u);
+  if (const auto looms = view.looms(light); any(looms)) {
+    const AreaSample<T> near = sample_by_solid_angle(light, view, u);
+    s = {select(looms, near.reached, s.reached), select(looms, near.direction, s.direction),
+         select(looms, near.end, s.end),         select(looms, near.distance, s.distance),
+         select(looms, near.pdf, s.pdf),         select(looms, near.in_first, s.in_first)};
+  }
+  s.reached = s.reached & ((view.height < 0.0f) | light.double_sided);
+  return s;
 }
 
 }  // namespace photopic

@@ -39,26 +39,22 @@ void LightSampler::fill_emission(const AreaLight& light, int lane, LightSampleLa
 void LightSampler::sample(const LightReferenceLanes& at, LightSampleLanes& s) const {
   const Picks picks = pick_lights(at);
 
-  // Area lights all at once, the others and those that loom large one by one.
+  // Area lights all at once, the others one by one.
   const std::vector<AreaLight>& list = area_lights_.list();
-  IntLanes alone = IntLanes{} - 1;
+  IntLanes other = IntLanes{} - 1;
   if (!list.empty()) {
     std::array<const AreaLight*, kLanes> lights;
     lights.fill(&list[0]);
-    IntLanes other{};
     for (int i = 0; i < at.count; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      if (picks[k].light < list.size())
-        lights[k] = &list[picks[k].light];
-      else
-        other[i] = -1;
+      if (picks[k].light < list.size()) lights[k] = &list[picks[k].light], other[i] = 0;
     }
-    alone = AreaLightLanes(lights).sample(at.position, at.u, s) | other;
+    AreaLightLanes(lights).sample(at.position, at.u, s);
     for (int i = 0; i < at.count; ++i) fill_emission(*lights[static_cast<std::size_t>(i)], i, s);
   }
   for (int i = 0; i < at.count; ++i) {
     const Pick& chosen = picks[static_cast<std::size_t>(i)];
-    if (alone[i])
+    if (other[i])
       s.set(i, chosen.light == kNoLight ? std::nullopt
                                         : sample_light(chosen.light, lane(at.position, i), lane(at.u, i)));
     s.pdf[i] *= chosen.probability;
@@ -68,10 +64,8 @@ void LightSampler::sample(const LightReferenceLanes& at, LightSampleLanes& s) co
 void LightSampler::sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u,
                                      LightSampleLanes& s) const {
   const AreaLight& light = area_lights_.list()[*only_area_light_];
-  const IntLanes alone = AreaLightLanes(light).sample(from, u, s);
+  AreaLightLanes(light).sample(from, u, s);
   for (int i = 0; i < kLanes; ++i) fill_emission(light, i, s);
-  for (int i = 0; i < kLanes; ++i)
-    if (alone[i]) s.set(i, sample_light(*only_area_light_, lane(from, i), lane(u, i)));
 }
 
 }  // namespace photopic
