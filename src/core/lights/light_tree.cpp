@@ -34,8 +34,9 @@ struct LightTree::Build {
   /// Opens the costliest until the node is full, but below the root none that fills a node of its own: full
   /// nodes are few nodes.
   std::vector<LightCluster> branches(const LightCluster& all, bool root) const {
+    if (all.members.size() <= kWidth) return singles(all.members);
     std::vector<LightCluster> list{all};
-    const std::size_t whole = root || all.members.size() <= kWidth ? 1 : kWidth;
+    const std::size_t whole = root ? 1 : kWidth;
     const auto cost = [whole](const LightCluster& c) { return c.members.size() > whole ? c.cost : -1.0; };
     while (list.size() < kWidth) {
       const auto costliest =
@@ -46,6 +47,12 @@ struct LightTree::Build {
       *costliest = first;
       list.push_back(second);
     }
+    return list;
+  }
+
+  std::vector<LightCluster> singles(std::span<std::uint32_t> members) const {
+    std::vector<LightCluster> list;
+    for (std::size_t i = 0; i < members.size(); ++i) list.emplace_back(lights, members.subspan(i, 1));
     return list;
   }
 
