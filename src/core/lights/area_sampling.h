@@ -35,8 +35,8 @@ struct LightView {
     const T share = select(light.parallelogram, T{} + 0.5f, T{} + 1.0f / 3.0f);
     const Vec3<T> to_middle = to_vertex + (light.edge1 + light.edge2) * share;
     const T extent2 = max(dot(light.edge1, light.edge1), dot(light.edge2, light.edge2));
-    return (dot(to_middle, to_middle) <= kFar2 * extent2) & (height * height >= kTouching2 * extent2) &
-           (abs(height) >= rounding);
+    const T distance2 = dot(to_middle, to_middle), depth = abs(height);
+    return (distance2 <= kFar2 * extent2) & (depth * depth >= kTouching2 * extent2) & (depth >= rounding);
   }
 
   template <typename Light>
@@ -89,13 +89,10 @@ AreaSample<T> sample_by_solid_angle(const Light& light, const LightView<T>& view
   const BasicSphericalPolygon<T> outline = view.outline(light);
   const auto way = outline.sample(u);
   const T cosine = dot(light.normal, way.direction), distance = view.height / cosine;
-  const typename AreaSample<T>::Mask reached = (cosine * view.height > 0.0f) & (outline.solid_angle() > 0.0f);
-  return {reached,
-          way.direction,
-          view.end(light, way.direction * distance),
-          distance,
-          1.0f / outline.solid_angle(),
-          way.in_first};
+  const T solid_angle = outline.solid_angle();
+  const typename AreaSample<T>::Mask reached = (cosine * view.height > 0.0f) & (solid_angle > 0.0f);
+  return {reached,  way.direction,      view.end(light, way.direction * distance),
+          distance, 1.0f / solid_angle, way.in_first};
 }
 
 /// A point of a light that shines to where it is seen from.
