@@ -32,7 +32,7 @@ HOMES = {
     r"pugixml\.hpp": r"spectral/.*\.cpp",
     r"fmt/.*": r".*\.cpp",
 }
-STANDARD = re.compile(r"^[a-z_0-9]+$|^(unistd|fcntl|immintrin|xmmintrin|pmmintrin)\.h$|^sys/[a-z]+\.h$")
+STANDARD = re.compile(r"^[a-z_0-9]+$|^(unistd|fcntl|malloc|immintrin|xmmintrin|pmmintrin)\.h$|^sys/[a-z]+\.h$")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 

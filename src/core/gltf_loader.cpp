@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "core/gltf/camera.h"
 #include "core/gltf/document.h"
@@ -33,13 +36,15 @@ void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& war
     warnings.push_back(fmt::format("animations are not played: {}", document.animation_count));
 }
 
-}  // namespace
-
-Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
-  return load_gltf(read_gltf_bytes(file), file, options);
+/// To the system: the allocator would keep what the file and its arrays took, some tens of megabytes, while
+/// the BVH is built.
+void give_back_free_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
-Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options) {
+Scene read_scene(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options) {
   const GltfDocument document = read_gltf_document(std::move(bytes), file);
   Scene scene;
   scene.files = document.named_files;
@@ -55,6 +60,18 @@ Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, cons
   load_gltf_environment(document, options, emissions, scene);
   emissions.check_overrides();
   load_gltf_camera(document, instances, options, scene);
+  return scene;
+}
+
+}  // namespace
+
+Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
+  return load_gltf(read_gltf_bytes(file), file, options);
+}
+
+Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options) {
+  Scene scene = read_scene(std::move(bytes), file, options);
+  give_back_free_memory();
   return scene;
 }
 
