@@ -1,6 +1,5 @@
 #include "core/prepared_scene.h"
 
-#include "core/ggx_albedo.h"
 #include "core/grain_albedo.h"
 #include "core/rough_glass.h"
 #include "core/sheen.h"
@@ -22,7 +21,6 @@ PreparedScene::PreparedScene(Scene source)
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Surface& s = surfaces[i];
     if (!used[i]) continue;
-    if (s.opaque_kind != BsdfKind::diffuse || s.transmits) GgxAlbedo::table();
     if (!s.extensions) continue;
     FresnelAlbedo::table();
     if (s.extensions->anisotropy > 0.0f) GrainAlbedo::table();

@@ -106,7 +106,7 @@ class SpectralGlassBsdf {
   }
 
   float kept(const ShadingMaterial<N>& m, int j) const {
-    if (!solid_) return 1.0f - GgxAlbedo::table().directional(wo_.z, m.roughness()).missing;
+    if (!solid_) return 1.0f - GgxAlbedo::directional(wo_.z, m.roughness()).missing;
     const auto& albedo = m.surface().glass_albedo;  // none where no wavelength is refracted
     return albedo ? (*albedo)(wo_.z, m.roughness(), eta_[j], specular_of(j)) : 1.0f;
   }
