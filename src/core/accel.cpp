@@ -106,7 +106,18 @@ struct Accel::Handles {
   std::string error;  ///< the last that Embree reported
   std::vector<std::unique_ptr<Sieve>> sieves;
 
-  Handles() : device(rtcNewDevice(nullptr)) {
+  /// Filters for one query, as crossings() needs, cost all others a little.
+  static constexpr RTCSceneFlags kQueryFilter =
+#if RTC_VERSION_MAJOR >= 4
+      RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+#else
+      RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+#endif
+  RTCSceneFlags flags;
+
+  explicit Handles(bool finds_crossings)
+      : device(rtcNewDevice(nullptr)),
+        flags(finds_crossings ? RTC_SCENE_FLAG_ROBUST | kQueryFilter : RTC_SCENE_FLAG_ROBUST) {
     if (!device) throw std::runtime_error("Embree: no device");
     rtcSetDeviceErrorFunction(device, keep_error, &error);
     scene = new_scene().release();
@@ -120,7 +131,7 @@ struct Accel::Handles {
 
   SceneHandle new_scene() const {
     SceneHandle made(rtcNewScene(device));
-    rtcSetSceneFlags(made.get(), RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneFlags(made.get(), flags);
     rtcSetSceneBuildQuality(made.get(), RTC_BUILD_QUALITY_HIGH);
     return made;
   }
@@ -201,8 +212,8 @@ struct Accel::Handles {
   }
 };
 
-Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces)
-    : handles_(std::make_unique<Handles>()),
+Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces, bool finds_crossings)
+    : handles_(std::make_unique<Handles>(finds_crossings)),
       baked_shapes_(static_cast<std::uint32_t>(geometry.baked_shape_count())) {
   geometry.positions.reserve(geometry.positions.size() + 1);
   for (const Shape& shape : geometry.shapes) first_triangle_.push_back(shape.first_triangle);
@@ -227,6 +238,10 @@ Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces)
 Accel::~Accel() = default;
 Accel::Accel(Accel&&) noexcept = default;
 Accel& Accel::operator=(Accel&&) noexcept = default;
+
+RTCSceneTy* Accel::embree_scene() const {
+  return handles_->scene;
+}
 
 Hit Accel::make_hit(std::uint32_t geometry, std::uint32_t primitive, std::uint32_t instance, float u, float v,
                     float t) const {
