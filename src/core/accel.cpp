@@ -2,8 +2,10 @@
 
 #if PHOTOPIC_EMBREE >= 4
 #include <embree4/rtcore.h>
+#define PHOTOPIC_QUERY_FILTER RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS
 #else
 #include <embree3/rtcore.h>
+#define PHOTOPIC_QUERY_FILTER RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION
 #endif
 
 #include <algorithm>
@@ -106,18 +108,11 @@ struct Accel::Handles {
   std::string error;  ///< the last that Embree reported
   std::vector<std::unique_ptr<Sieve>> sieves;
 
-  /// Filters for one query, as crossings() needs, cost all others a little.
-  static constexpr RTCSceneFlags kQueryFilter =
-#if RTC_VERSION_MAJOR >= 4
-      RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
-#else
-      RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
-#endif
-  RTCSceneFlags flags;
+  RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST;
 
-  explicit Handles(bool finds_crossings)
-      : device(rtcNewDevice(nullptr)),
-        flags(finds_crossings ? RTC_SCENE_FLAG_ROBUST | kQueryFilter : RTC_SCENE_FLAG_ROBUST) {
+  explicit Handles(bool finds_crossings) : device(rtcNewDevice(nullptr)) {
+    // A filter for one query.
+    if (finds_crossings) flags = flags | PHOTOPIC_QUERY_FILTER;
     if (!device) throw std::runtime_error("Embree: no device");
     rtcSetDeviceErrorFunction(device, keep_error, &error);
     scene = new_scene().release();
