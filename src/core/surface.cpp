@@ -110,6 +110,12 @@ Vec3f Surface::emissive_rgb(const TrianglePoint& point) const {
   return rgb;
 }
 
+void Surface::prefetch(const TrianglePoint& point) const {
+  if (!textures) return;
+  for (const Texture* texture : {&textures->base_color, &textures->metallic_roughness, &textures->normal})
+    if (*texture) texture->prefetch(point.uv(texture->uv_set));
+}
+
 float Surface::coverage(const TrianglePoint& point) const {
   if (!partly_covers) return 1.0f;
   float a = alpha;

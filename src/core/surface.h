@@ -73,6 +73,9 @@ struct Surface {
   Vec3f base_rgb(const TrianglePoint& point) const;
   Vec3f emissive_rgb(const TrianglePoint& point) const;
 
+  /// Asks memory for the texels of a point that will be shaded soon.
+  void prefetch(const TrianglePoint& point) const;
+
   /// The share of rays that meet the surface at a point; 1 unless partly_covers.
   float coverage(const TrianglePoint& point) const;
 

@@ -68,15 +68,13 @@ void LightSampler::sample(const LightReferenceLanes& at, LightSampleLanes& s) co
   }
 }
 
-bool LightSampler::sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u,
+void LightSampler::sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u,
                                      LightSampleLanes& s) const {
-  if (!only_area_light_) return false;
   const AreaLight& light = area_lights_.list()[*only_area_light_];
   const IntLanes alone = AreaLightLanes(light).sample(from, u, s);
   for (int i = 0; i < kLanes; ++i) fill_emission(light, i, s);
   for (int i = 0; i < kLanes; ++i)
     if (alone[i]) s.set(i, sample_light(*only_area_light_, lane(from, i), lane(u, i)));
-  return true;
 }
 
 }  // namespace photopic
