@@ -16,7 +16,9 @@ Face face_of(const PreparedScene& scene, const Hit& hit, Vec3f onwards, float de
   return {hit, {material, dot(point.geometric_normal, onwards) >= 0.0f}, depth, point.error};
 }
 
-/// A place while it is being explored.
+/// A place while it is being explored. Solids within twice the bound on rounding beyond the last belong to
+/// it, other surfaces within the bound, and paths go on one bound beyond: whether something at the very limit
+/// is found or not, it lies on the side of them where they take it to be.
 class Place {
  public:
   Place(const PreparedScene& scene, const Hit& hit, const SurfacePoint& point, Vec3f onwards, float way)

@@ -155,6 +155,7 @@ void meet(PathMedia& media, const PreparedScene& scene, Hit& hit, Vec3f directio
   }
   const SurfacePoint point = surface_point(geometry, hit);
   const float cosine = dot(point.geometric_normal, direction);
+  // On what nothing passes, the place matters to rays alone that come out of a gap narrower than rounding.
   if (touches(scene, hit) && (surface.lets_through || std::abs(cosine) * hit.t < 2.0f * point.error))
     hit = media.meet(scene.surfaces, contact_at(scene, hit, direction)).hit;
   else
