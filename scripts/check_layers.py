@@ -22,7 +22,7 @@ FOR_EVERYBODY = {"atomic_file.h", "error.h"}
 
 # Third-party headers and the files (relative to src/) that may include them, both as patterns.
 HOMES = {
-    r"embree[34]/.*": r"core/accel(_tree)?\..*",
+    r"embree[34]/.*": r"core/accel(_tree|_crossings)?\..*",
     r"OpenImageIO/.*": r"core/(image_io|texture)\..*",
     r"tiny_gltf\.h": r"core/gltf/.*",
     r"nlopt\.h(pp)?": r"optimize/descent\..*",

@@ -53,9 +53,9 @@ class Accel {
   /// 16 bytes at a time, so positions get room for one more.) Of large scenes the triangles of each shape may
   /// be reordered, and their corners turned: see Quads. Rays pass surfaces that cover a point in part
   /// as a hash of the ray and the triangle decides. @param surfaces of Shape::material; must stay where they
-  /// are
+  /// are @param finds_crossings so that crossings() may be asked
   /// @throws std::runtime_error when Embree does
-  Accel(Geometry& geometry, std::span<const Surface> surfaces);
+  Accel(Geometry& geometry, std::span<const Surface> surfaces, bool finds_crossings = false);
   ~Accel();
   Accel(Accel&&) noexcept;
   Accel& operator=(Accel&&) noexcept;
@@ -70,6 +70,10 @@ class Accel {
 
   Hit intersect(const Ray& ray) const;
   bool occluded(const Ray& ray, float t_max) const;
+
+  /// All triangles that a ray meets at 0 < t < t_max, each once, in no order.
+  /// @return how many are stored in `found`: where there are more than it holds, those that came first
+  std::size_t crossings(const Ray& ray, float t_max, std::span<Hit> found) const;
 
   /// Of a sphere that holds the scene, wherever its middle [m]; 0 when there is nothing.
   double radius() const;

@@ -24,6 +24,16 @@ float hash_to_unit(const RTCFilterFunctionNArguments& a, unsigned i, std::uint32
   return static_cast<float>(hash >> 8) * 0x1p-24f;
 }
 
+RTCSceneFlags scene_flags(bool finds_crossings) {
+  if (!finds_crossings) return RTC_SCENE_FLAG_ROBUST;
+    // A query's own filter wants to be announced.
+#if RTC_VERSION_MAJOR >= 4
+  return RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+#else
+  return RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+#endif
+}
+
 }  // namespace
 
 /// What lets rays through a shape that covers in part.
@@ -52,7 +62,8 @@ struct Accel::Tree::Sieve {
   }
 };
 
-Accel::Tree::Tree(Geometry& geometry, std::span<const Surface> surfaces) : device_(rtcNewDevice(nullptr)) {
+Accel::Tree::Tree(Geometry& geometry, std::span<const Surface> surfaces, bool finds_crossings)
+    : flags_(scene_flags(finds_crossings)), device_(rtcNewDevice(nullptr)) {
   if (!device_) throw std::runtime_error("Embree: no device");
   rtcSetDeviceErrorFunction(device_.get(), keep_error, &error_);
   scene_ = new_scene();
@@ -82,7 +93,7 @@ Accel::Tree::~Tree() = default;
 
 SceneHandle Accel::Tree::new_scene() const {
   SceneHandle made(rtcNewScene(device_.get()));
-  rtcSetSceneFlags(made.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(made.get(), flags_);
   rtcSetSceneBuildQuality(made.get(), RTC_BUILD_QUALITY_HIGH);
   return made;
 }

@@ -3,6 +3,7 @@
 #include "core/grain_albedo.h"
 #include "core/rough_glass.h"
 #include "core/sheen.h"
+#include "core/touching.h"
 #include "spectral/lamp_set.h"
 #include "spectral/rgb_light.h"
 
@@ -11,7 +12,8 @@ namespace photopic {
 PreparedScene::PreparedScene(Scene source)
     : scene(std::move(source)),
       surfaces(scene.materials.begin(), scene.materials.end()),
-      accel(scene.geometry, surfaces),
+      touching(touching_triangles(scene.geometry, surfaces)),
+      accel(scene.geometry, surfaces, !touching.empty()),
       lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces) {
   prepare_rough_glass(surfaces);
   // What is made when first asked for is made now, on nobody's clock.

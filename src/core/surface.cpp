@@ -62,6 +62,7 @@ Surface::Surface(const Material& m)
       double_sided(m.double_sided),
       solid(!m.thin_walled),
       encloses(transmits && solid && m.ior != 0.0f),
+      lets_through(transmits || m.extensions.diffuse_transmission > 0.0f),
       base_varies(!m.unlit && (m.has_vertex_colors || has_texture(m, &MaterialTextures::base_color))),
       emission_varies(has_texture(m, &MaterialTextures::emissive) || m.unlit),
       maps_normals(has_texture(m, &MaterialTextures::normal)),

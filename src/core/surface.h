@@ -24,8 +24,9 @@ struct Surface {
   bool transmits;        ///< somewhere on it glass may be chosen
   bool emits;
   bool double_sided;
-  bool solid;     ///< transmission refracts
-  bool encloses;  ///< a medium that rays can enter
+  bool solid;         ///< transmission refracts
+  bool encloses;      ///< a medium that rays can enter
+  bool lets_through;  ///< light may go on behind it
   bool base_varies, emission_varies;
   bool maps_normals;
   bool coat_has_normals;  ///< clearcoat whose normals differ from the base's

@@ -9,10 +9,12 @@ namespace photopic {
 /// From the last vertex to the hit.
 template <int N, Features kHas>
 void PathTracer<N, kHas>::travel(std::uint32_t slot) {
-  const Hit& hit = batch_.hits[slot];
-  attenuate(batch_.throughput[slot], scene_, batch_.media[slot].current(), batch_.wavelengths[slot].lambda,
-            hit.t);
-  meet(batch_.media[slot], scene_, hit, batch_.rays.direction[slot]);
+  Hit& hit = batch_.hits[slot];
+  PathMedia& media = batch_.media[slot];
+  const SampledSpectrum<N> lambda = batch_.wavelengths[slot].lambda;
+  attenuate(batch_.throughput[slot], scene_, media.current(), lambda, hit.t);
+  meet(media, scene_, hit, batch_.rays.direction[slot]);
+  mend(batch_.throughput[slot], scene_, media, lambda);
 }
 
 /// Paths go on through surfaces that are hidden, which do not count as met. Light samples end there, so what

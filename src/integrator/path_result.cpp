@@ -15,7 +15,10 @@ template <int N, Features kHas>
 void PathTracer<N, kHas>::finish(std::span<const PathKey> paths, Film& film) {
   std::vector<PathKey> non_finite;
   for (std::size_t slot = 0; slot < paths.size(); ++slot) {
-    if (kHas.media && !batch_.media.empty()) stats_.media_overflows += batch_.media[slot].overflowed();
+    if (kHas.media && !batch_.media.empty()) {
+      stats_.media_overflows += batch_.media[slot].overflowed();
+      stats_.media_slips += batch_.media[slot].slipped();
+    }
     const Xyz xyz = batch_.wavelengths[slot].to_xyz(batch_.radiance[slot]);
     if (std::isfinite(xyz.x + xyz.y + xyz.z) && !is_lost(slot))
       film.add(batch_.pixel[slot], xyz);

@@ -167,7 +167,7 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
     batch.vertex.set(slot, lane(vertices.point.position, i));
     batch.bsdf_pdf[slot] = samples.pdf[i];
     batch.eta_scale[slot] *= sqr(samples.eta[i]);
-    if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(scene_.surfaces, inwards[i]);
+    if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(inwards[i]);
     batch.active.push_back(slot);
   }
   return split;

@@ -30,6 +30,7 @@ struct VertexPacket {
   VertexPacket(const PreparedScene& scene, const PathBatch<N>& batch, const Packet& packet)
       : point(surface_points(scene.scene.geometry, batch.hits, packet)) {
     const Geometry& geometry = scene.scene.geometry;
+    if (kHas.media && !scene.touching.empty()) widen(batch, packet);
     const Vec3Lanes wo_world = -batch.rays.direction.gather(packet);
     for (int i = 0; i < packet.count; ++i) {
       const Hit& hit = batch.hits[packet[i]];
@@ -56,6 +57,15 @@ struct VertexPacket {
             return coat_normal(geometry, batch.hits[slot], lane(wo_world, i), surface(scene, i),
                                lane(frame, i), lane(point.geometric_normal, i));
           }));
+    }
+  }
+
+  /// By what lies in the same place.
+  void widen(const PathBatch<N>& batch, const Packet& packet) {
+    for (int i = 0; i < packet.count; ++i) {
+      SurfacePoint one = lane(point, i);
+      batch.media[packet[i]].widen(one);
+      set_lane(point, i, one);
     }
   }
 
