@@ -42,8 +42,8 @@ void load(const RayArray& rays, const Packet& slots, RTCRay16& packet, std::arra
 
 }  // namespace
 
-Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces, bool finds_crossings)
-    : tree_(std::make_unique<Tree>(geometry, surfaces, finds_crossings)),
+Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces, const Quads* quads, bool finds_crossings)
+    : tree_(std::make_unique<Tree>(geometry, surfaces, quads, finds_crossings)),
       ranges_(tree_->ranges()),
       baked_shapes_(static_cast<std::uint32_t>(geometry.baked_shape_count())) {
   for (const Instance& instance : geometry.instances)

@@ -50,12 +50,13 @@ struct Surface;
 class Accel {
  public:
   /// Builds with TBB over the geometry's own buffers, which must stay where they are. (Embree reads vertices
-  /// 16 bytes at a time, so positions get room for one more.) Of large scenes the triangles of each shape may
-  /// be reordered, and their corners turned: see Quads. Rays pass surfaces that cover a point in part
+  /// 16 bytes at a time, so positions get room for one more.) Rays pass surfaces that cover a point in part
   /// as a hash of the ray and the triangle decides. @param surfaces of Shape::material; must stay where they
-  /// are @param finds_crossings so that crossings() may be asked
+  /// are @param quads the geometry's triangles in pairs, or none: then the BVH is made of triangles
+  /// @param finds_crossings so that crossings() may be asked
   /// @throws std::runtime_error when Embree does
-  Accel(Geometry& geometry, std::span<const Surface> surfaces, bool finds_crossings = false);
+  Accel(Geometry& geometry, std::span<const Surface> surfaces, const Quads* quads = nullptr,
+        bool finds_crossings = false);
   ~Accel();
   Accel(Accel&&) noexcept;
   Accel& operator=(Accel&&) noexcept;

@@ -62,14 +62,14 @@ struct Accel::Tree::Sieve {
   }
 };
 
-Accel::Tree::Tree(Geometry& geometry, std::span<const Surface> surfaces, bool finds_crossings)
-    : flags_(scene_flags(finds_crossings)), device_(rtcNewDevice(nullptr)) {
+Accel::Tree::Tree(Geometry& geometry, std::span<const Surface> surfaces, const Quads* quads,
+                  bool finds_crossings)
+    : flags_(scene_flags(finds_crossings)), quads_(quads), device_(rtcNewDevice(nullptr)) {
   if (!device_) throw std::runtime_error("Embree: no device");
   rtcSetDeviceErrorFunction(device_.get(), keep_error, &error_);
   scene_ = new_scene();
   geometry.positions.reserve(geometry.positions.size() + 1);
-  if (is_worth_pairing(geometry)) {
-    quads_ = std::make_unique<const Quads>(geometry);
+  if (quads_) {
     ranges_ = quads_->ranges;
   } else {
     for (const Shape& shape : geometry.shapes) ranges_.push_back({.first_triangle = shape.first_triangle});

@@ -29,7 +29,7 @@ struct ReleaseDevice {
 class Accel::Tree {
  public:
   /// @throws std::runtime_error when Embree fails
-  Tree(Geometry& geometry, std::span<const Surface> surfaces, bool finds_crossings);
+  Tree(Geometry& geometry, std::span<const Surface> surfaces, const Quads* quads, bool finds_crossings);
   ~Tree();
   Tree(const Tree&) = delete;
   Tree& operator=(const Tree&) = delete;
@@ -92,9 +92,9 @@ class Accel::Tree {
   void attach_instance(RTCScene prototype, const Affinef& to_world) const;
 
   RTCSceneFlags flags_;
-  std::string error_;  ///< the last that Embree reported
+  const Quads* quads_;  ///< none: the BVH is of triangles
+  std::string error_;   ///< the last that Embree reported
   std::vector<std::unique_ptr<Sieve>> sieves_;
-  std::unique_ptr<const Quads> quads_;  ///< none: the BVH is of triangles
   std::vector<PrimitiveRange> ranges_;  ///< of each shape
   std::unique_ptr<RTCDeviceTy, ReleaseDevice> device_;
   SceneHandle scene_;

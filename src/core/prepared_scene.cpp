@@ -12,8 +12,9 @@ namespace photopic {
 PreparedScene::PreparedScene(Scene source)
     : scene(std::move(source)),
       surfaces(scene.materials.begin(), scene.materials.end()),
+      quads(Quads::pair_where_worth(scene.geometry)),
       touching(touching_triangles(scene.geometry, surfaces)),
-      accel(scene.geometry, surfaces, !touching.empty()),
+      accel(scene.geometry, surfaces, quads.get(), !touching.empty()),
       lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces) {
   prepare_rough_glass(surfaces);
   // What is made when first asked for is made now, on nobody's clock.

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/accel.h"
 #include "core/lights/light_sampler.h"
+#include "core/quads.h"
 #include "core/scene.h"
 #include "core/surface.h"
 
@@ -18,6 +20,7 @@ struct PreparedScene {
 
   Scene scene;
   std::vector<Surface> surfaces;       ///< of Scene::materials, compiled for shading
+  std::unique_ptr<const Quads> quads;  ///< of a large scene, whose triangles they reorder
   std::vector<std::uint8_t> touching;  ///< of triangles: see touching_triangles
   Accel accel;
   LightSampler lights;

@@ -60,6 +60,10 @@ bool is_worth_pairing(const Geometry& geometry) {
          static_cast<double>(count_quads(geometry)) <= kMaxQuads * static_cast<double>(triangles);
 }
 
+std::unique_ptr<const Quads> Quads::pair_where_worth(Geometry& geometry) {
+  return is_worth_pairing(geometry) ? std::make_unique<const Quads>(geometry) : nullptr;
+}
+
 Quads::Quads(Geometry& g) {
   quads.reserve(count_quads(g));
   std::vector<Triangle> singles;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/scene.h"
@@ -40,6 +41,9 @@ bool is_worth_pairing(const Geometry& geometry);
 /// triangles and their corners, pairs first.
 struct Quads {
   explicit Quads(Geometry& geometry);
+
+  /// None where that is not worth while.
+  static std::unique_ptr<const Quads> pair_where_worth(Geometry& geometry);
 
   std::vector<Quad> quads;             ///< shape by shape
   std::vector<std::uint32_t> first;    ///< of each shape; and the end

@@ -109,7 +109,8 @@ TEST(Quads, AreForManyTrianglesThatStandInPairs) {
 TEST(Quads, RaysFindTheirTriangles) {
   Geometry g = wave(kManyCells);
   const std::vector<Surface> surfaces{Surface(Material{})};
-  const Accel accel(g, surfaces);
+  const Quads quads(g);
+  const Accel accel(g, surfaces, &quads);
   std::mt19937 random(1);
   std::uniform_real_distribution<float> uniform(0.001f, 0.999f);
   for (int i = 0; i < 20000; ++i) {
@@ -124,6 +125,22 @@ TEST(Quads, RaysFindTheirTriangles) {
   }
 }
 
+/// A ray through a roof below its ridge crosses both of a pair's triangles.
+TEST(Quads, BothTrianglesOfAPairAreCrossed) {
+  Geometry g;
+  g.positions = {{-1, 0, 0}, {0, 0.4f, -1}, {0, 0.4f, 1}, {1, 0, 0}};
+  g.triangles = {{0, 2, 1}, {3, 1, 2}};
+  g.shapes = {{.first_triangle = 0, .triangle_count = 2}};
+  const std::vector<Surface> surfaces{Surface(Material{})};
+  const Quads quads(g);
+  ASSERT_EQ(quads.quads.size(), 1u);
+  const Accel accel(g, surfaces, &quads, true);
+  std::array<Hit, 4> hits;
+  ASSERT_EQ(accel.crossings({{-2, 0.3f, 0}, {1, 0, 0}}, 4, hits), 2u);
+  EXPECT_NE(hits[0].triangle, hits[1].triangle);
+  EXPECT_NEAR(hits[0].t + hits[1].t, 4.0f, 1e-5f);
+}
+
 /// Where the vertices' alpha is below the cutoff, rays go through pairs of triangles as through one.
 TEST(Quads, CoverageIsThatOfTheTriangleHit) {
   Geometry g = wave(kManyCells);
@@ -132,7 +149,8 @@ TEST(Quads, CoverageIsThatOfTheTriangleHit) {
   material.has_vertex_colors = true;
   material.alpha_mode = AlphaMode::mask;
   const std::vector<Surface> surfaces{Surface(material)};
-  const Accel accel(g, surfaces);
+  const Quads quads(g);
+  const Accel accel(g, surfaces, &quads);
   std::mt19937 random(2);
   std::uniform_real_distribution<float> uniform(0.001f, 0.999f);
   for (int i = 0; i < 2000; ++i) {
