@@ -4,6 +4,7 @@
 
 #include "core/albedo_axes.h"
 #include "core/fresnel.h"
+#include "core/visible_normals.h"
 
 namespace photopic {
 namespace {
@@ -14,22 +15,12 @@ Factors lerp(Factors a, Factors b, float t) {
   return {a.missing + (b.missing - a.missing) * t, a.bias + (b.bias - a.bias) * t};
 }
 
-// Visible-normal sampling leaves F·G2/G1 to average; steep normals, where light is lost, are drawn more
-// often.
-Factors integrate(float cos_theta, float roughness) {
-  constexpr std::uint32_t kSamples = 1024;
-  const Ggx ggx{sqr(roughness)};
-  const Vec3f wo{safe_sqrt(1.0f - sqr(cos_theta)), 0.0f, cos_theta};
-  Factors sum{0.0f, 0.0f};
-  for (std::uint32_t i = 0; i < kSamples; ++i) {
-    const Sample2d u = SampleStream(Sequence::sobol, 0, 0, i).get_2d(0);
-    const Vec3f m = ggx.sample_visible(wo, {u.x, 1.0f - sqr(u.y)});
-    const Vec3f wi = reflect(wo, m);
-    const float weight = 2.0f * u.y, shadow = shadowing(ggx, wo, wi);
-    sum.missing += weight / (1.0f + 1.0f / shadow);
-    sum.bias += weight / (1.0f + shadow) * schlick_weight(dot(wo, m));
-  }
-  return {sum.missing / kSamples, sum.bias / kSamples};
+Factors integrate(const VisibleNormals& normals, float cos_theta, float roughness) {
+  const VisibleNormals::Bounces bounces =
+      normals.bounces({sqr(roughness), sqr(roughness)}, {safe_sqrt(1.0f - sqr(cos_theta)), 0.0f, cos_theta});
+  Factors sum{bounces.missing, 0.0f};
+  bounces.for_each([&](float cosine, float kept) { sum.bias += kept * schlick_weight(cosine); });
+  return sum;
 }
 
 }  // namespace
@@ -40,10 +31,11 @@ const GgxAlbedo& GgxAlbedo::table() {
 }
 
 GgxAlbedo::GgxAlbedo() {
+  const VisibleNormals normals(1024);
   const auto share = cosine_average_weights([](float c) { return locate_cosine(c, kCosines); }, kCosines);
   tbb::parallel_for(0, kRoughnesses, [&](int r) {
     for (int c = 0; c < kCosines; ++c)
-      directional_[r][c] = integrate(albedo_cosine(c, kCosines), albedo_roughness(r, kRoughnesses));
+      directional_[r][c] = integrate(normals, albedo_cosine(c, kCosines), albedo_roughness(r, kRoughnesses));
     Factors sum{0.0f, 0.0f};
     for (int c = 0; c < kCosines; ++c) {
       sum.missing += share[c] * directional_[r][c].missing;

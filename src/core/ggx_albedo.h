@@ -15,7 +15,7 @@ class GgxAlbedo {
     float scale() const { return 1.0f - missing - bias; }
   };
 
-  /// The table, integrated once when first asked for (about 60 ms of one core).
+  /// The table, integrated once when first asked for (10 ms of one core).
   static const GgxAlbedo& table();
 
   /// Directional albedo factors at cos θ in [0, 1] and roughness = sqrt(α) in [0, 1].

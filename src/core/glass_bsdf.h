@@ -84,7 +84,7 @@ class GlassBsdf {
   /// The share that one bounce keeps; what passes a thin wall keeps what reflection does.
   float kept(const ShadingMaterial<N>& m) const {
     if (!solid_ || ior_ == 0.0f) return 1.0f - GgxAlbedo::table().directional(wo_.z, m.roughness()).missing;
-    return (*m.surface().glass_albedo)(wo_.z, m.roughness(), eta_, specular_);
+    return (*m.surface().glass_albedo)(wo_.z, m.roughness(), eta_, {specular_});
   }
 
   /// Of normals seen from wo: Ggx::visible_pdf.

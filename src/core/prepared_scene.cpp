@@ -1,7 +1,6 @@
 #include "core/prepared_scene.h"
 
 #include "core/ggx_albedo.h"
-#include "core/grain_albedo.h"
 #include "core/rough_glass.h"
 #include "core/sheen.h"
 #include "spectral/lamp_set.h"
@@ -25,7 +24,6 @@ PreparedScene::PreparedScene(Scene source)
     if (s.opaque_kind != BsdfKind::diffuse || s.transmits) GgxAlbedo::table();
     if (!s.extensions) continue;
     FresnelAlbedo::table();
-    if (s.extensions->anisotropy > 0.0f) GrainAlbedo::table();
     if (s.extensions->has_sheen()) SheenAlbedo::table();
   }
 }

@@ -108,7 +108,24 @@ class SpectralGlassBsdf {
   float kept(const ShadingMaterial<N>& m, int j) const {
     if (!solid_) return 1.0f - GgxAlbedo::table().directional(wo_.z, m.roughness()).missing;
     const auto& albedo = m.surface().glass_albedo;  // none where no wavelength is refracted
-    return albedo ? (*albedo)(wo_.z, m.roughness(), eta_[j], specular_of(j)) : 1.0f;
+    if (!albedo) return 1.0f;
+    if (film_ == 0.0f) return (*albedo)(wo_.z, m.roughness(), eta_[j], {specular_of(j)});
+    const GlassAlbedo::Film film = film_difference(j);
+    return (*albedo)(wo_.z, m.roughness(), eta_[j], {specular_of(j), &film});
+  }
+
+  /// What the film adds to the reflectance, as the albedo wants it; alike from either side.
+  GlassAlbedo::Film film_difference(int j) const {
+    const float thin = std::min(ior_[j], outside_[j]), dense = std::max(ior_[j], outside_[j]);
+    GlassAlbedo::Film film;
+    for (int k = 0; k < GlassAlbedo::kFilmNodes; ++k) {
+      const float c = GlassAlbedo::film_node(k), bare = fresnel_dielectric(c, dense / thin);
+      const float filmed = ThinFilm{thin, film_ior_, {dense}, phase_[j]}.reflectance(c);
+      film[static_cast<std::size_t>(k)] =
+          specular_of(j).scaled(bare + film_ * (filmed - bare), c, dense / thin) -
+          specular_of(j).scaled(bare, c, dense / thin);
+    }
+    return film;
   }
 
   std::optional<BsdfSample<N>> bounce(Vec3f m, SampledSpectrum<N> weight) const {

@@ -68,6 +68,12 @@ TEST(Furnace, RoughGlassIsNotSeen) {
     Material flint = solid_glass(1.5f, roughness);
     flint.extensions.dispersion = glass_index("SF11");
     expect_unseen(flint, 0.005, "SF11 " + r);
+    expect_unseen(solid_glass(4.0f, roughness), 0.005, "index 4 " + r);
+    Material filmed = solid_glass(1.5f, roughness);
+    filmed.extensions.iridescence = 1.0f;
+    filmed.extensions.iridescence_ior = 1.8f;
+    filmed.extensions.iridescence_thickness = 400.0f;
+    expect_unseen(filmed, 0.005, "film on glass " + r);
   }
   Material flint = solid_glass(1.5f, 0.0f);
   flint.extensions.dispersion = glass_index("SF11");
