@@ -16,7 +16,7 @@ class GrainAlbedo {
   explicit GrainAlbedo(const AnisotropicGgx& ggx);
 
   /// The table for all: for surfaces on which roughness or grain vary. Integrated when first asked for (0.4 s
-  /// of one core, 20 MB).
+  /// of one core, 25 MB).
   static std::shared_ptr<const GrainAlbedo> of_all();
 
   /// Seen from w, w.z ≥ 0. @param ggx 1 ≥ alpha_x ≥ alpha_y ≥ kSmoothAlpha; the one surface's, if it is of

@@ -209,7 +209,7 @@ Furnace furnace(const LocalBsdf& bsdf, Vec3f wo, double ior) {
   std::uint32_t i = 0;
   const auto is_decided = [&] {
     const double error = result.albedo.error;
-    return error < kError && std::abs(result.albedo.mean - 1.0) < kBound - 3.0 * error;
+    return error < kError && std::abs(std::abs(result.albedo.mean - 1.0) - kBound) > 3.0 * error;
   };
   for (std::uint32_t end = kFewest; end <= kMost && !is_decided(); end *= 2) {
     for (; i < end; ++i)

@@ -70,8 +70,8 @@ struct Furnace {
   double largest;   ///< of them
 };
 /// Over eight scrambled sequences, every lobe at every point, for an error far below that of independent
-/// samples: until it is below 0.001 and the albedo within 0.005 of 1 by three errors, or 2^21 samples are
-/// taken.
+/// samples: until it is below 0.001 and three times it tell whether the albedo is within 0.005 of 1, or 2^21
+/// samples are taken.
 /// @param ior of what is below the surface, where light refracts into it
 Furnace furnace(const LocalBsdf& bsdf, Vec3f wo, double ior = 1.0);
 
