@@ -50,11 +50,13 @@ def megabytes(value):
 
 
 def start_table(rows):
-    header = ["scene", "ready after s", "CPU s of 1 spp", "peak MB", "geometry MB", "textures MB", "BVH MB"]
+    header = ["scene", "ready after s", "CPU s of 1 spp", "peak MB", "of libraries MB", "geometry MB", "textures MB",
+              "BVH MB"]
     body = []
     for row in rows:
         parts = [megabytes(row[key]) if key in row else "-" for key in ("geometry", "textures", "bvh")]
-        body.append([row["scene"], f"{row['ready']:.3f}", f"{row['user']:.3f}", megabytes(row["memory"]), *parts])
+        body.append([row["scene"], f"{row['ready']:.3f}", f"{row['user']:.3f}", megabytes(row["memory"]),
+                     megabytes(row["libraries"]), *parts])
     return table(header, body)
 
 

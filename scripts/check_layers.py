@@ -22,7 +22,7 @@ FOR_EVERYBODY = {"atomic_file.h", "error.h"}
 
 # Third-party headers and the files (relative to src/) that may include them, both as patterns.
 HOMES = {
-    r"embree[34]/.*": r"core/accel\..*",
+    r"embree[34]/.*": r"core/accel(_tree|_crossings)?\..*",
     r"OpenImageIO/.*": r"core/(image_io|texture)\..*",
     r"tiny_gltf\.h": r"core/gltf/.*",
     r"nlopt\.h(pp)?": r"optimize/descent\..*",
@@ -32,7 +32,7 @@ HOMES = {
     r"pugixml\.hpp": r"spectral/.*\.cpp",
     r"fmt/.*": r".*\.cpp",
 }
-STANDARD = re.compile(r"^[a-z_0-9]+$|^(unistd|fcntl|immintrin|xmmintrin|pmmintrin)\.h$|^sys/[a-z]+\.h$")
+STANDARD = re.compile(r"^[a-z_0-9]+$|^(unistd|fcntl|malloc|immintrin|xmmintrin|pmmintrin)\.h$|^sys/[a-z]+\.h$")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 

@@ -58,9 +58,8 @@ void print_section(ReportSection section) {
 int run_info(const InfoArguments& arguments) {
   if (!arguments.json.empty()) check_writable_file(arguments.json);
   check_no_overwriting({arguments.json}, input_files(arguments.scene));
-  const Scene scene = load_gltf(arguments.scene.scene, gltf_options(arguments.scene));
+  const auto [scene, contents] = load_listed_gltf(arguments.scene.scene, gltf_options(arguments.scene));
   check_no_overwriting({arguments.json}, scene.files);
-  const GltfContents contents = read_gltf_contents(arguments.scene.scene);
 
   const ReportSection sections[] = {report_file(arguments, contents),
                                     report_geometry(scene),

@@ -24,6 +24,20 @@ void print_error(const std::string& text) {
   fmt::print(stderr, "photopic: {}\n", without_controls(text));
 }
 
+/// The problem with an option's number of values, where the parser's words tell little; else its words.
+std::string problem_of(const CLI::App& command, const CLI::ParseError& error) {
+  const std::string words = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return words;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!words.starts_with(option->get_name() + ":")) continue;
+    const auto most = static_cast<std::size_t>(option->get_items_expected_max());
+    if (option->count() > most)
+      return fmt::format("{} is given {} times; give it once", option->get_name(), option->count());
+    return fmt::format("{}: its value is missing", option->get_name());
+  }
+  return words;
+}
+
 /// @return the exit code for what is wrong with the command line; help and version are nothing wrong
 int explain(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
@@ -32,7 +46,8 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
     print_error(fmt::format("{}: there is no such command; see photopic --help", app.remaining().front()));
   } else {
     const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
-    print_error(fmt::format("{}; see photopic{} --help", error.what(), name));
+    const std::string problem = problem_of(chosen.empty() ? app : *chosen.front(), error);
+    print_error(fmt::format("{}; see photopic{} --help", problem, name));
   }
   return kExitBadInput;
 }

@@ -70,8 +70,11 @@ void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
     fmt::print("dispersion: {:.2f} % of the samples went on with one wavelength\n",
                100.0 * static_cast<double>(run.stats.split_paths) / paths);
   if (run.stats.media_overflows > 0)
-    fmt::print("media:    {} paths were in more than 8 glasses at once; the outermost were forgotten\n",
+    fmt::print("media:    {} paths met more than 8 glasses at once; the outermost were forgotten\n",
                run.stats.media_overflows);
+  if (run.stats.media_slips > 0)
+    fmt::print("media:    {} paths left a glass that they had not entered: is its mesh closed?\n",
+               run.stats.media_slips);
   fmt::print("rays:     {:.2f} + {:.2f} shadow rays a sample\n", static_cast<double>(run.stats.rays) / paths,
              static_cast<double>(run.stats.shadow_rays) / paths);
   fmt::print("speed:    {:.3f} M samples/s, {:.3f} M rays/s\n", run.samples_per_second() * 1e-6,

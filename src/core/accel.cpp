@@ -1,32 +1,15 @@
 #include "core/accel.h"
 
-#if PHOTOPIC_EMBREE >= 4
-#include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
-
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <memory>
-#include <span>
-#include <stdexcept>
-#include <string>
 
-#include "core/sample_sequence.h"
-#include "core/surface.h"
+#include "core/accel_tree.h"
 
 namespace photopic {
 namespace {
-
-/// Embree calls this from inside, where nothing may be thrown: the message is kept until it returns.
-void keep_error(void* kept, RTCError, const char* message) {
-  *static_cast<std::string*>(kept) = message;
-}
 
 RTCRay make_ray(Vec3f origin, Vec3f direction, float t_max) {
   RTCRay ray{};
@@ -39,17 +22,6 @@ RTCRay make_ray(Vec3f origin, Vec3f direction, float t_max) {
 }
 
 constexpr std::size_t kPacket = kLanes;
-
-/// A number in [0, 1) for a ray and a triangle, whatever stands beside it in a batch: as pbrt-v4 does
-/// (GeometricPrimitive::Intersect).
-float hash_to_unit(const RTCFilterFunctionNArguments& a, unsigned i) {
-  std::uint32_t hash = RTCHitN_primID(a.hit, a.N, i) * 0x9e3779b9u + RTCHitN_geomID(a.hit, a.N, i);
-  for (const float x :
-       {RTCRayN_org_x(a.ray, a.N, i), RTCRayN_org_y(a.ray, a.N, i), RTCRayN_org_z(a.ray, a.N, i),
-        RTCRayN_dir_x(a.ray, a.N, i), RTCRayN_dir_y(a.ray, a.N, i), RTCRayN_dir_z(a.ray, a.N, i)})
-    hash = mix_bits(hash * 31u + std::bit_cast<std::uint32_t>(x));
-  return static_cast<float>(hash >> 8) * 0x1p-24f;
-}
 
 template <typename T, typename Vector>
 void store(T* to, Vector values) {
@@ -68,160 +40,14 @@ void load(const RayArray& rays, const Packet& slots, RTCRay16& packet, std::arra
   store(valid.data(), is_traceable(RayLanes{o, d}) & (kLane < slots.count));
 }
 
-/// What lets rays through a shape that covers in part.
-struct Sieve {
-  const Geometry& geometry;
-  const Surface& surface;
-  std::uint32_t first_triangle;
-
-  /// Embree's filter, for nearest hits and for shadows.
-  static void filter(const RTCFilterFunctionNArguments* a) {
-    const Sieve& sieve = *static_cast<const Sieve*>(a->geometryUserPtr);
-    for (unsigned i = 0; i < a->N; ++i) {
-      if (a->valid[i] == 0) continue;
-      const TrianglePoint point(sieve.geometry, sieve.first_triangle + RTCHitN_primID(a->hit, a->N, i),
-                                RTCHitN_u(a->hit, a->N, i), RTCHitN_v(a->hit, a->N, i));
-      const float coverage = sieve.surface.coverage(point);
-      if (coverage < 1.0f && hash_to_unit(*a, i) >= coverage) a->valid[i] = 0;
-    }
-  }
-
-  void attach(RTCGeometry mesh) {
-    rtcSetGeometryUserData(mesh, this);
-    rtcSetGeometryIntersectFilterFunction(mesh, filter);
-    rtcSetGeometryOccludedFilterFunction(mesh, filter);
-  }
-};
-
 }  // namespace
 
-struct ReleaseScene {
-  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-using SceneHandle = std::unique_ptr<RTCSceneTy, ReleaseScene>;
-
-struct Accel::Handles {
-  RTCDevice device = nullptr;
-  RTCScene scene = nullptr;
-  std::string error;  ///< the last that Embree reported
-  std::vector<std::unique_ptr<Sieve>> sieves;
-
-  Handles() : device(rtcNewDevice(nullptr)) {
-    if (!device) throw std::runtime_error("Embree: no device");
-    rtcSetDeviceErrorFunction(device, keep_error, &error);
-    scene = new_scene().release();
-  }
-  ~Handles() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
-  }
-  Handles(const Handles&) = delete;
-  Handles& operator=(const Handles&) = delete;
-
-  SceneHandle new_scene() const {
-    SceneHandle made(rtcNewScene(device));
-    rtcSetSceneFlags(made.get(), RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(made.get(), RTC_BUILD_QUALITY_HIGH);
-    return made;
-  }
-
-  void attach(RTCScene to, RTCGeometry made) const {
-    rtcCommitGeometry(made);
-    rtcAttachGeometry(to, made);
-    rtcReleaseGeometry(made);
-  }
-
-  void attach_shapes(RTCScene to, const Geometry& geometry, std::span<const Surface> surfaces,
-                     std::size_t first, std::size_t count) {
-    for (const Shape& shape : std::span(geometry.shapes).subspan(first, count)) {
-      RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-      rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                 geometry.positions.data(), 0, sizeof(Vec3f), geometry.positions.size());
-      rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, geometry.triangles.data(),
-                                 shape.first_triangle * sizeof(geometry.triangles[0]),
-                                 sizeof(geometry.triangles[0]), shape.triangle_count);
-      if (const Surface& surface = surfaces[shape.material]; surface.partly_covers) {
-        sieves.push_back(std::make_unique<Sieve>(Sieve{geometry, surface, shape.first_triangle}));
-        sieves.back()->attach(mesh);
-      }
-      attach(to, mesh);
-    }
-  }
-
-  void attach_instance(RTCScene prototype, const Affinef& to_world) const {
-    static_assert(sizeof(Affinef) == 12 * sizeof(float));  // four columns
-    RTCGeometry instance = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(instance, prototype);
-    rtcSetGeometryTransform(instance, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, &to_world);
-    attach(scene, instance);
-  }
-
-  RTCRayHit intersect(const RTCRay& ray) const {
-    RTCRayHit query{ray, {}};
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-#if RTC_VERSION_MAJOR >= 4
-    rtcIntersect1(scene, &query);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(scene, &context, &query);
-#endif
-    return query;
-  }
-
-  void intersect(const int* valid, RTCRayHit16& query) const {
-#if RTC_VERSION_MAJOR >= 4
-    rtcIntersect16(valid, scene, &query);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect16(valid, scene, &context, &query);
-#endif
-  }
-
-  void occluded(const int* valid, RTCRay16& query) const {
-#if RTC_VERSION_MAJOR >= 4
-    rtcOccluded16(valid, scene, &query);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded16(valid, scene, &context, &query);
-#endif
-  }
-
-  bool occluded(RTCRay ray) const {
-#if RTC_VERSION_MAJOR >= 4
-    rtcOccluded1(scene, &ray);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(scene, &context, &ray);
-#endif
-    return ray.tfar < 0.0f;
-  }
-};
-
-Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces)
-    : handles_(std::make_unique<Handles>()),
+Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces, bool finds_crossings)
+    : tree_(std::make_unique<Tree>(geometry, surfaces, finds_crossings)),
+      ranges_(tree_->ranges()),
       baked_shapes_(static_cast<std::uint32_t>(geometry.baked_shape_count())) {
-  geometry.positions.reserve(geometry.positions.size() + 1);
-  for (const Shape& shape : geometry.shapes) first_triangle_.push_back(shape.first_triangle);
-  handles_->attach_shapes(handles_->scene, geometry, surfaces, 0, baked_shapes_);
-
-  // Prototypes are scenes of their own; the instances keep them alive.
-  std::vector<SceneHandle> prototypes;
-  for (const Prototype& prototype : geometry.prototypes) {
-    prototypes.push_back(handles_->new_scene());
-    handles_->attach_shapes(prototypes.back().get(), geometry, surfaces, prototype.first_shape,
-                            prototype.shape_count);
-    rtcCommitScene(prototypes.back().get());
-  }
-  for (const Instance& instance : geometry.instances) {
-    handles_->attach_instance(prototypes[instance.prototype].get(), instance.to_world);
+  for (const Instance& instance : geometry.instances)
     first_shape_.push_back(geometry.prototypes[instance.prototype].first_shape);
-  }
-  rtcCommitScene(handles_->scene);
-  if (!handles_->error.empty()) throw std::runtime_error("Embree: " + handles_->error);
 }
 
 Accel::~Accel() = default;
@@ -231,28 +57,29 @@ Accel& Accel::operator=(Accel&&) noexcept = default;
 Hit Accel::make_hit(std::uint32_t geometry, std::uint32_t primitive, std::uint32_t instance, float u, float v,
                     float t) const {
   if (geometry == RTC_INVALID_GEOMETRY_ID) return {};
-  if (instance == RTC_INVALID_GEOMETRY_ID)
-    return {geometry, first_triangle_[geometry] + primitive, kNoInstance, u, v, t};
-  const std::uint32_t index = instance - baked_shapes_, shape = first_shape_[index] + geometry;
-  return {shape, first_triangle_[shape] + primitive, index, u, v, t};
+  const bool baked = instance == RTC_INVALID_GEOMETRY_ID;
+  const std::uint32_t index = baked ? kNoInstance : instance - baked_shapes_,
+                      shape = baked ? geometry : first_shape_[index] + geometry;
+  const auto place = ranges_[shape].locate(primitive, u, v);
+  return {shape, place.triangle, index, place.u, place.v, t};
 }
 
 Hit Accel::intersect(const Ray& ray) const {
   if (!is_traceable(ray)) return {};
   const auto [found, hit] =
-      handles_->intersect(make_ray(ray.origin, ray.direction, std::numeric_limits<float>::infinity()));
+      tree_->intersect(make_ray(ray.origin, ray.direction, std::numeric_limits<float>::infinity()));
   return make_hit(hit.geomID, hit.primID, hit.instID[0], hit.u, hit.v, found.tfar);
 }
 
 bool Accel::occluded(const Ray& ray, float t_max) const {
   if (!is_traceable(ray)) return false;
-  return handles_->occluded(make_ray(ray.origin, ray.direction, t_max));
+  return tree_->occluded(make_ray(ray.origin, ray.direction, t_max));
 }
 
 double Accel::radius() const {
-  if (first_triangle_.empty()) return 0.0;
+  if (ranges_.empty()) return 0.0;
   RTCBounds b;
-  rtcGetSceneBounds(handles_->scene, &b);
+  rtcGetSceneBounds(tree_->scene(), &b);
   const double x = b.upper_x - b.lower_x, y = b.upper_y - b.lower_y, z = b.upper_z - b.lower_z;
   return 0.5 * std::sqrt(x * x + y * y + z * z);
 }
@@ -265,7 +92,7 @@ void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots
     load(rays, packet, query.ray, valid);
     store(query.ray.tfar, Lanes{} + std::numeric_limits<float>::infinity());
     store(query.hit.geomID, UintLanes{} + RTC_INVALID_GEOMETRY_ID);
-    handles_->intersect(valid.data(), query);
+    tree_->intersect(valid.data(), query);
     for (int i = 0; i < packet.count; ++i) {
       const auto& hit = query.hit;
       hits[packet[i]] =
@@ -282,7 +109,7 @@ void Accel::occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
     alignas(64) std::array<int, kPacket> valid;
     load(rays, packet, query, valid);
     store(query.tfar, gather(rays.t_max.data(), packet));
-    handles_->occluded(valid.data(), query);
+    tree_->occluded(valid.data(), query);
     for (int i = 0; i < packet.count; ++i) blocked[packet[i]] = query.tfar[i] < 0.0f;
   }
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/quads.h"
 #include "core/scene.h"
 
 namespace photopic {
@@ -49,11 +50,12 @@ struct Surface;
 class Accel {
  public:
   /// Builds with TBB over the geometry's own buffers, which must stay where they are. (Embree reads vertices
-  /// 16 bytes at a time, so positions get room for one more.) Rays pass surfaces that cover a point in part
+  /// 16 bytes at a time, so positions get room for one more.) Of large scenes the triangles of each shape may
+  /// be reordered, and their corners turned: see Quads. Rays pass surfaces that cover a point in part
   /// as a hash of the ray and the triangle decides. @param surfaces of Shape::material; must stay where they
-  /// are
+  /// are @param finds_crossings so that crossings() may be asked
   /// @throws std::runtime_error when Embree does
-  Accel(Geometry& geometry, std::span<const Surface> surfaces);
+  Accel(Geometry& geometry, std::span<const Surface> surfaces, bool finds_crossings = false);
   ~Accel();
   Accel(Accel&&) noexcept;
   Accel& operator=(Accel&&) noexcept;
@@ -69,19 +71,23 @@ class Accel {
   Hit intersect(const Ray& ray) const;
   bool occluded(const Ray& ray, float t_max) const;
 
+  /// All triangles that a ray meets at 0 < t < t_max, each once, in no order.
+  /// @return how many are stored in `found`: where there are more than it holds, those that came first
+  std::size_t crossings(const Ray& ray, float t_max, std::span<Hit> found) const;
+
   /// Of a sphere that holds the scene, wherever its middle [m]; 0 when there is nothing.
   double radius() const;
 
  private:
-  struct Handles;
+  class Tree;
   /// Of Embree's numbers.
   Hit make_hit(std::uint32_t geometry, std::uint32_t primitive, std::uint32_t instance, float u, float v,
                float t) const;
 
-  std::unique_ptr<Handles> handles_;
-  std::vector<std::uint32_t> first_triangle_;  ///< of each shape
-  std::uint32_t baked_shapes_;                 ///< stand before the instances in Embree's numbers
-  std::vector<std::uint32_t> first_shape_;     ///< of each instance
+  std::unique_ptr<const Tree> tree_;
+  std::vector<PrimitiveRange> ranges_;      ///< of each shape
+  std::uint32_t baked_shapes_;              ///< stand before the instances in Embree's numbers
+  std::vector<std::uint32_t> first_shape_;  ///< of each instance
 };
 
 }  // namespace photopic

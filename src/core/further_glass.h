@@ -32,8 +32,8 @@ struct FurtherGlass {
   static FurtherGlass of_thin_wall(float cos_theta, float roughness, float reflected) {
     FurtherGlass g;
     g.roughness_ = roughness, g.above_ = reflected;
-    g.missing = GgxAlbedo::table().directional(cos_theta, roughness).missing;
-    g.total_ = std::max(GgxAlbedo::table().average(roughness).missing, 1e-9f);
+    g.missing = GgxAlbedo::directional(cos_theta, roughness).missing;
+    g.total_ = std::max(GgxAlbedo::average(roughness).missing, 1e-9f);
     g.grazing_ = GrazingLobe(std::max(sqr(roughness), kSmoothAlpha));
     return g;
   }
@@ -44,7 +44,7 @@ struct FurtherGlass {
     const float mu = std::abs(cos_i), common = missing * mu * kInvPi / total_;
     if (albedo_)
       return common * albedo_->missing(mu, roughness_, cos_i > 0.0f ? eta_ : 1.0f / eta_, reflection_);
-    return common * GgxAlbedo::table().directional(mu, roughness_).missing * side(cos_i);
+    return common * GgxAlbedo::directional(mu, roughness_).missing * side(cos_i);
   }
 
   /// Of sample() [1/sr].

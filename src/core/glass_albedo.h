@@ -30,7 +30,7 @@ class GlassAlbedo {
     std::optional<Film> film;  ///< what it adds, `specular` included
   };
 
-  /// Integrates the table: 10 to 40 ms for each index and roughness, of which a range has 24.
+  /// Integrates the table: 10 to 40 ms of one core for each index and roughness, of which a range has 24.
   /// @param iors ratios of the denser medium's index to the other's, rising, > 1; exact there, interpolated
   /// between @param roughness √α, in [0, 1] @param films whether there will be any
   GlassAlbedo(std::vector<float> iors, Range roughness, bool films = false);

@@ -4,8 +4,7 @@
 
 namespace photopic {
 
-GltfContents read_gltf_contents(const std::filesystem::path& file) {
-  const GltfDocument document = read_gltf_document(read_gltf_bytes(file), file);
+GltfContents list_contents(const GltfDocument& document) {
   const tinygltf::Model& model = document.model;
   GltfContents contents;
   contents.scenes = model.scenes.size();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,8 @@ struct GltfContents {
   std::vector<std::string> extensions_used, extensions_required;
 };
 
-/// @throws InputError as load_gltf
-GltfContents read_gltf_contents(const std::filesystem::path& file);
+struct GltfDocument;
+
+GltfContents list_contents(const GltfDocument& document);
 
 }  // namespace photopic

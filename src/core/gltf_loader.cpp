@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "core/gltf/camera.h"
 #include "core/gltf/document.h"
@@ -31,16 +34,21 @@ void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& war
   }
   if (document.animation_count > 0)
     warnings.push_back(fmt::format("animations are not played: {}", document.animation_count));
+  if (document.double_transforms > 0)
+    warnings.push_back(fmt::format(
+        "nodes with a matrix beside translation, rotation or scale, of which the matrix counts: {}",
+        document.double_transforms));
 }
 
-}  // namespace
-
-Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
-  return load_gltf(read_gltf_bytes(file), file, options);
+/// To the system: the allocator would keep what the file and its arrays took, some tens of megabytes, while
+/// the BVH is built.
+void give_back_free_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
-Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options) {
-  const GltfDocument document = read_gltf_document(std::move(bytes), file);
+Scene read_scene(const GltfDocument& document, const GltfOptions& options) {
   Scene scene;
   scene.files = document.named_files;
   const std::vector<NodeInstance> instances = walk_nodes(document, scene.warnings);
@@ -56,6 +64,23 @@ Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, cons
   emissions.check_overrides();
   load_gltf_camera(document, instances, options, scene);
   return scene;
+}
+
+}  // namespace
+
+Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
+  return load_gltf(read_gltf_bytes(file), file, options);
+}
+
+Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options) {
+  Scene scene = read_scene(read_gltf_document(std::move(bytes), file), options);
+  give_back_free_memory();
+  return scene;
+}
+
+ListedScene load_listed_gltf(const std::filesystem::path& file, const GltfOptions& options) {
+  const GltfDocument document = read_gltf_document(read_gltf_bytes(file), file);
+  return {read_scene(document, options), list_contents(document)};
 }
 
 }  // namespace photopic

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/gltf_contents.h"
 #include "core/scene.h"
 
 namespace photopic {
@@ -32,5 +33,12 @@ Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options = 
 
 /// The same of a file in memory: `file` names it in messages, and other files are sought beside it.
 Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options = {});
+
+struct ListedScene {
+  Scene scene;
+  GltfContents contents;
+};
+/// The same, and what the file lists.
+ListedScene load_listed_gltf(const std::filesystem::path& file, const GltfOptions& options = {});
 
 }  // namespace photopic

@@ -14,12 +14,30 @@ inline constexpr int kLanes = 16;
 using Lanes [[gnu::vector_size(kLanes * sizeof(float))]] = float;
 using IntLanes [[gnu::vector_size(kLanes * sizeof(float))]] = std::int32_t;
 using UintLanes [[gnu::vector_size(kLanes * sizeof(float))]] = std::uint32_t;
+using DoubleLanes [[gnu::vector_size(kLanes * sizeof(double))]] = double;
 
 inline float select(bool condition, float a, float b) {
   return condition ? a : b;
 }
 inline Lanes select(IntLanes condition, Lanes a, Lanes b) {
   return condition ? a : b;
+}
+
+inline bool select(bool condition, bool a, bool b) {
+  return condition ? a : b;
+}
+inline IntLanes select(IntLanes condition, IntLanes a, IntLanes b) {
+  return condition ? a : b;
+}
+
+/// Whether a mask is set in any lane.
+inline bool any(bool mask) {
+  return mask;
+}
+inline bool any(IntLanes mask) {
+  std::int32_t all = 0;
+  for (int i = 0; i < kLanes; ++i) all |= mask[i];
+  return all != 0;
 }
 
 // On floats the names below mean the standard library's functions.
@@ -56,12 +74,36 @@ inline std::int32_t to_int(float a) {
 inline IntLanes to_int(Lanes a) {
   return __builtin_convertvector(a, IntLanes);
 }
+inline Lanes to_float(DoubleLanes a) {
+  return __builtin_convertvector(a, Lanes);
+}
+inline DoubleLanes to_double(Lanes a) {
+  return __builtin_convertvector(a, DoubleLanes);
+}
 /// Of integers below 2^31.
 inline float to_float(std::uint32_t a) {
   return static_cast<float>(a);
 }
 inline Lanes to_float(UintLanes a) {
   return __builtin_convertvector(reinterpret_cast<IntLanes>(a), Lanes);
+}
+
+/// Rows of numbers, a vector each.
+using LaneMatrix = std::array<Lanes, kLanes>;
+
+/// Four perfect shuffles of the upper rows with the lower.
+inline LaneMatrix transpose(LaneMatrix m) {
+  for (int i = 0; i < 4; ++i) {
+    LaneMatrix next;
+    for (std::size_t k = 0; k < kLanes / 2; ++k) {
+      const Lanes a = m[k], b = m[k + kLanes / 2];
+      next[2 * k] = __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+      next[2 * k + 1] =
+          __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+    }
+    m = next;
+  }
+  return m;
 }
 
 /// Which paths' numbers stand in the lanes: up to 16 slots of a batch. Unused lanes repeat the first.

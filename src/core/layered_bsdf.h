@@ -102,7 +102,7 @@ class LayeredBsdf {
 
   bool coat_is_smooth() const { return coat_ggx_.alpha < kSmoothAlpha; }
   GgxAlbedo::Factors coat_factors(float roughness) const {
-    if (!coat_is_smooth()) return GgxAlbedo::table().directional(coat_wo_.z, roughness);
+    if (!coat_is_smooth()) return GgxAlbedo::directional(coat_wo_.z, roughness);
     const float w = schlick_weight(coat_wo_.z);
     return {0.0f, w};
   }

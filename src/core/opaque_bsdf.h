@@ -80,12 +80,12 @@ class OpaqueBsdf {
   }
 
   GgxAlbedo::Factors directional(float cos_theta) const {
-    if (!mirror()) return GgxAlbedo::table().directional(cos_theta, roughness_);
+    if (!mirror()) return GgxAlbedo::directional(cos_theta, roughness_);
     const float w = schlick_weight(cos_theta);
     return {0.0f, w};
   }
   GgxAlbedo::Factors average() const {
-    if (!mirror()) return GgxAlbedo::table().average(roughness_);
+    if (!mirror()) return GgxAlbedo::average(roughness_);
     return {0.0f, 1.0f / 21.0f};
   }
 

@@ -1,8 +1,8 @@
 #include "core/prepared_scene.h"
 
-#include "core/ggx_albedo.h"
 #include "core/rough_glass.h"
 #include "core/sheen.h"
+#include "core/touching.h"
 #include "spectral/lamp_set.h"
 #include "spectral/rgb_light.h"
 
@@ -11,7 +11,8 @@ namespace photopic {
 PreparedScene::PreparedScene(Scene source)
     : scene(std::move(source)),
       surfaces(scene.materials.begin(), scene.materials.end()),
-      accel(scene.geometry, surfaces),
+      touching(touching_triangles(scene.geometry, surfaces)),
+      accel(scene.geometry, surfaces, !touching.empty()),
       lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces) {
   prepare_rough_glass(surfaces);
   // What is made when first asked for is made now, on nobody's clock.
@@ -21,7 +22,6 @@ PreparedScene::PreparedScene(Scene source)
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const Surface& s = surfaces[i];
     if (!used[i]) continue;
-    if (s.opaque_kind != BsdfKind::diffuse || s.transmits) GgxAlbedo::table();
     if (!s.extensions) continue;
     FresnelAlbedo::table();
     if (s.extensions->has_sheen()) SheenAlbedo::table();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/accel.h"
@@ -16,7 +17,8 @@ struct PreparedScene {
   PreparedScene& operator=(const PreparedScene&) = delete;
 
   Scene scene;
-  std::vector<Surface> surfaces;  ///< of Scene::materials, compiled for shading
+  std::vector<Surface> surfaces;       ///< of Scene::materials, compiled for shading
+  std::vector<std::uint8_t> touching;  ///< of triangles: see touching_triangles
   Accel accel;
   LightSampler lights;
 };

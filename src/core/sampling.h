@@ -27,16 +27,17 @@ SinCos<T> sin_cos_two_pi(T u) {
 
 /// The angle of a vector with y ≥ 0 to the x axis, 0 … π, to 3e-7 of itself; 0 of the zero vector. Abramowitz
 /// & Stegun 1964, equation 4.4.49.
-inline float angle_above(float y, float x) {
-  const float long_side = std::max(y, std::abs(x)), short_side = std::min(y, std::abs(x));
-  const float t = long_side > 0.0f ? short_side / long_side : 0.0f, t2 = t * t;
+template <typename T>
+T angle_above(T y, T x) {
+  const T long_side = max(y, abs(x)), short_side = min(y, abs(x));
+  const T t = select(long_side > 0.0f, short_side / long_side, T{}), t2 = t * t;
   constexpr float kTerms[] = {-0.3333314528f, 0.1999355085f, -0.1420889944f, 0.1065626393f,
                               -0.0752896400f, 0.0429096138f, -0.0161657367f, 0.0028662257f};
-  float sum = kTerms[7];
+  T sum = T{} + kTerms[7];
   for (int i = 6; i >= 0; --i) sum = sum * t2 + kTerms[i];
-  const float octant = t + t * (t2 * sum);
-  const float quarter = y > std::abs(x) ? 0.5f * kPi - octant : octant;
-  return x < 0.0f ? kPi - quarter : quarter;
+  const T octant = t + t * (t2 * sum);
+  const T quarter = select(y > abs(x), 0.5f * kPi - octant, octant);
+  return select(x < 0.0f, kPi - quarter, quarter);
 }
 
 /// The unit disk, squares becoming wedges: Shirley & Chiu 1997, "A Low Distortion Map Between Disk and

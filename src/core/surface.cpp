@@ -69,6 +69,7 @@ Surface::Surface(const Material& m)
       double_sided(m.double_sided),
       solid(!m.thin_walled),
       encloses(transmits && solid && m.ior != 0.0f),
+      lets_through(transmits || m.extensions.diffuse_transmission > 0.0f),
       base_varies(!m.unlit && (m.has_vertex_colors || has_texture(m, &MaterialTextures::base_color))),
       emission_varies(has_texture(m, &MaterialTextures::emissive) || m.unlit),
       maps_normals(has_texture(m, &MaterialTextures::normal)),
@@ -115,6 +116,12 @@ Vec3f Surface::emissive_rgb(const TrianglePoint& point) const {
   if (textures && textures->emissive) rgb = rgb * point.look_up(textures->emissive);
   if (unlit && has_vertex_colors) rgb = rgb * point.color();
   return rgb;
+}
+
+void Surface::prefetch(const TrianglePoint& point) const {
+  if (!textures) return;
+  for (const Texture* texture : {&textures->base_color, &textures->metallic_roughness, &textures->normal})
+    if (*texture) texture->prefetch(point.uv(texture->uv_set));
 }
 
 float Surface::coverage(const TrianglePoint& point) const {

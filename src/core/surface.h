@@ -25,8 +25,9 @@ struct Surface {
   bool transmits;        ///< somewhere on it glass may be chosen
   bool emits;
   bool double_sided;
-  bool solid;     ///< transmission refracts
-  bool encloses;  ///< a medium that rays can enter
+  bool solid;         ///< transmission refracts
+  bool encloses;      ///< a medium that rays can enter
+  bool lets_through;  ///< light may go on behind it
   bool base_varies, emission_varies;
   bool maps_normals;
   bool coat_has_normals;  ///< clearcoat whose normals differ from the base's
@@ -73,6 +74,9 @@ struct Surface {
   /// Linear sRGB, where base_varies or emission_varies.
   Vec3f base_rgb(const TrianglePoint& point) const;
   Vec3f emissive_rgb(const TrianglePoint& point) const;
+
+  /// Asks memory for the texels of a point that will be shaded soon.
+  void prefetch(const TrianglePoint& point) const;
 
   /// The share of rays that meet the surface at a point; 1 unless partly_covers.
   float coverage(const TrianglePoint& point) const;

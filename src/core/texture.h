@@ -68,6 +68,10 @@ struct Texture {
   /// Linear red, green, blue and alpha, each in [0, 1]; what the image does not hold is a copy of its grey,
   /// or an alpha of 1. (0, 0) is the upper left corner. Coordinates that are not finite read as 0.
   Vec4f operator()(Vec2f uv) const;
+
+  /// Asks memory for what a look-up there will read. Texels are far away: a look-up that has not asked waits
+  /// longer than it works.
+  void prefetch(Vec2f uv) const;
 };
 
 }  // namespace photopic

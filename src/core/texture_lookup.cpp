@@ -46,7 +46,7 @@ class Texels16 {
   bool srgb_;
 };
 
-/// @param i index of the texel's first number
+/// @param i first_number
 template <typename Texels>
 Texel fetch(const Texels& texels, std::size_t i, int channels) {
   if (channels < 3) {
@@ -83,6 +83,13 @@ int nearest_texel(float x, Wrap wrap, int size) {
   return std::min(static_cast<int>(wrapped(x, wrap) * static_cast<float>(size)), size - 1);
 }
 
+/// Index of a texel's first number.
+std::size_t first_number(const TextureImage& image, int x, int y) {
+  const auto place =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+  return place * static_cast<std::size_t>(image.channels);
+}
+
 Texel mix(const Texel& a, const Texel& b, float f) {
   Texel t;
   for (std::size_t c = 0; c < 4; ++c) t[c] = a[c] + (b[c] - a[c]) * f;
@@ -92,11 +99,7 @@ Texel mix(const Texel& a, const Texel& b, float f) {
 template <typename Texels>
 Texel look_up(const Texture& texture, const Texels& texels, Vec2f at) {
   const TextureImage& image = *texture.image;
-  const auto texel = [&](int x, int y) {
-    const auto place =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-    return fetch(texels, place * static_cast<std::size_t>(image.channels), image.channels);
-  };
+  const auto texel = [&](int x, int y) { return fetch(texels, first_number(image, x, y), image.channels); };
   if (texture.nearest)
     return texel(nearest_texel(at.x, texture.wrap_u, image.width),
                  nearest_texel(at.y, texture.wrap_v, image.height));
@@ -125,6 +128,16 @@ Vec4f Texture::operator()(Vec2f uv) const {
   const Texel t = bytes ? look_up(*this, Texels8(bytes->data(), srgb), at)
                         : look_up(*this, Texels16(std::get<1>(image->texels).data(), srgb), at);
   return {t[0], t[1], t[2], t[3]};
+}
+
+void Texture::prefetch(Vec2f uv) const {
+  const Vec2f at = transform(uv);
+  const int x = neighbours(at.x, wrap_u, image->width).first;
+  const Neighbours y = neighbours(at.y, wrap_v, image->height);
+  for (const int row : {y.first, y.second}) {
+    const std::size_t i = first_number(*image, x, row);
+    __builtin_prefetch(std::visit([i](const auto& t) -> const void* { return t.data() + i; }, image->texels));
+  }
 }
 
 }  // namespace photopic

@@ -35,7 +35,9 @@ struct RenderStats {
   std::uint64_t rays = 0;  ///< nearest-hit rays
   std::uint64_t shadow_rays = 0;
   std::uint64_t split_paths = 0;      ///< paths that went on with one wavelength after dispersion
-  std::uint64_t media_overflows = 0;  ///< paths that were in more media at once than are kept
+  std::uint64_t media_overflows = 0;  ///< paths that were in more media at once, or met more surfaces in one
+                                      ///< place, than are kept
+  std::uint64_t media_slips = 0;      ///< paths that left a solid that they had not entered
   std::uint64_t non_finite = 0;       ///< samples that were not finite; left out of the film and counted here
   NonFiniteCounts non_finite_causes;  ///< why; the oracle does not tell
   std::optional<double> expected_delta_e{};  ///< mean over the image; where a target_error was set
@@ -48,6 +50,7 @@ struct RenderStats {
     shadow_rays += other.shadow_rays;
     split_paths += other.split_paths;
     media_overflows += other.media_overflows;
+    media_slips += other.media_slips;
     non_finite += other.non_finite;
     non_finite_causes += other.non_finite_causes;
     for (std::size_t i = 0; i < kStages; ++i) stages[i] += other.stages[i];

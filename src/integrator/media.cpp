@@ -2,32 +2,11 @@
 
 #include <algorithm>
 #include <ranges>
+#include <tuple>
 #include <vector>
-
-#include "core/surface_point.h"
 
 namespace photopic {
 namespace {
-
-/// Glass as a ray meets it, one surface after the other.
-struct Crossing {
-  std::uint32_t material;
-  bool leaves;
-};
-
-std::vector<Crossing> crossings(const PreparedScene& scene, Ray ray) {
-  std::vector<Crossing> found;
-  for (int i = 0; i < kMostHidden; ++i) {
-    const Hit hit = scene.accel.intersect(ray);
-    if (hit.shape == kNoHit) break;
-    const std::uint32_t material = scene.scene.geometry.shapes[hit.shape].material;
-    const SurfacePoint point = surface_point(scene.scene.geometry, hit);
-    if (scene.surfaces[material].encloses)
-      found.push_back({material, dot(point.geometric_normal, ray.direction) >= 0.0f});
-    ray.origin = point.leave(ray.direction);
-  }
-  return found;
-}
 
 /// Removes the last that is equal. @return whether there was one
 bool take_last(std::vector<std::uint32_t>& list, std::uint32_t value) {
@@ -41,46 +20,23 @@ bool take_last(std::vector<std::uint32_t>& list, std::uint32_t value) {
 
 }  // namespace
 
-void PathMedia::meet(std::span<const Surface> surfaces, std::uint32_t material, bool from_inside) {
-  met_ = material, from_inside_ = from_inside, outside_ = kVacuum, hidden_ = false;
-  encloses_ = surfaces[material].encloses;
-  if (!encloses_) return;
-  const int priority = surfaces[material].priority;
-  if (!from_inside) {
-    outside_ = current();
-    const bool in_it = outside_ == static_cast<std::int32_t>(material);
-    hidden_ = in_it || (size_ > 0 && surfaces[materials_[size_ - 1]].priority > priority);
-    return;
-  }
-  if (!contains(material)) {
-    std::uint32_t at = 0;
-    while (at < size_ && surfaces[materials_[at]].priority < priority) ++at;
-    insert(at, material);
-  }
-  outside_ = size_ < 2 ? kVacuum : static_cast<std::int32_t>(materials_[size_ - 2]);
-  const auto glass = static_cast<std::int32_t>(material);
-  hidden_ = current() != glass || outside_ == glass;
+bool MediaStack::contains(std::uint32_t material) const {
+  return std::ranges::count(std::span(materials_).first(size_), material) > 0;
 }
 
-void PathMedia::cross(std::span<const Surface> surfaces) {
-  if (!encloses_) return;
-  if (from_inside_)
-    leave(met_);
-  else
-    enter(surfaces, met_);
-}
-
-void PathMedia::enter(std::span<const Surface> surfaces, std::uint32_t material) {
+void MediaStack::enter(std::span<const Surface> surfaces, std::uint32_t material) {
   std::uint32_t at = size_;
   while (at > 0 && surfaces[materials_[at - 1]].priority > surfaces[material].priority) --at;
   insert(at, material);
 }
 
-bool PathMedia::contains(std::uint32_t material) const {
-  return std::ranges::count(std::span(materials_).first(size_), material) > 0;
+void MediaStack::surround(std::span<const Surface> surfaces, std::uint32_t material) {
+  std::uint32_t at = 0;
+  while (at < size_ && surfaces[materials_[at]].priority < surfaces[material].priority) ++at;
+  insert(at, material);
 }
 
-void PathMedia::insert(std::uint32_t at, std::uint32_t material) {
+void MediaStack::insert(std::uint32_t at, std::uint32_t material) {
   if (size_ == kCapacity) {
     overflowed_ = true;
     if (at == 0) return;
@@ -93,13 +49,70 @@ void PathMedia::insert(std::uint32_t at, std::uint32_t material) {
   ++size_;
 }
 
-void PathMedia::leave(std::uint32_t material) {
+void MediaStack::leave(std::uint32_t material) {
   for (std::uint32_t i = size_; i-- > 0;)
     if (materials_[i] == material) {
       std::shift_left(materials_.begin() + i, materials_.begin() + size_, 1);
       --size_;
       return;
     }
+}
+
+/// Beyond the back of a solid's surface.
+void PathMedia::look_out(std::span<const Surface> surfaces, std::uint32_t material) {
+  if (beyond_.contains(material)) {
+    beyond_.leave(material);
+  } else {
+    here_.surround(surfaces, material);
+    slipped_ = true;
+  }
+}
+
+void PathMedia::meet(std::span<const Surface> surfaces, Boundary alone) {
+  believed_ = here_.current(), beyond_ = here_;
+  const bool encloses = surfaces[alone.material].encloses;
+  if (encloses) alone.from_inside ? look_out(surfaces, alone.material) : look_in(surfaces, alone.material);
+  if (!crossed_) believed_ = here_.current();
+  from_inside_ = alone.from_inside;
+  hidden_ = encloses && here_.current() == beyond_.current();
+  outside_ = !encloses ? kVacuum : from_inside_ ? beyond_.current() : here_.current();
+  front_ = back_ = 0.0f;
+}
+
+const Contact::Face& PathMedia::meet(std::span<const Surface> surfaces, const Contact& contact) {
+  believed_ = here_.current(), beyond_ = here_;
+  for (const Contact::Face& f : contact.solids())
+    if (f.boundary.from_inside) look_out(surfaces, f.boundary.material);
+  for (const Contact::Face& f : contact.solids())
+    if (!f.boundary.from_inside) look_in(surfaces, f.boundary.material);
+  if (!crossed_) believed_ = here_.current();
+  overflowed_ |= contact.overflowed || beyond_.overflowed();
+  hidden_ = !contact.screen && here_.current() == beyond_.current();
+  const Contact::Face& seen = interface(surfaces, contact);
+  see(seen, contact);
+  outside_ = contact.screen ? kVacuum : from_inside_ ? beyond_.current() : here_.current();
+  return seen;
+}
+
+const Contact::Face& PathMedia::interface(std::span<const Surface> surfaces, const Contact& contact) const {
+  if (contact.screen) return *contact.screen;
+  const Contact::Face* best = nullptr;
+  const auto rank = [&](const Contact::Face& f) {
+    const Surface& s = surfaces[f.boundary.material];
+    return std::tuple(s.priority, s.roughness, f.boundary.material);
+  };
+  for (const Contact::Face& f : contact.solids()) {
+    const std::int32_t behind = f.boundary.from_inside ? here_.current() : beyond_.current();
+    if (behind == static_cast<std::int32_t>(f.boundary.material) && (!best || rank(f) > rank(*best)))
+      best = &f;
+  }
+  return best && !hidden_ ? *best : contact.met;
+}
+
+void PathMedia::see(const Contact::Face& face, const Contact& contact) {
+  const float near = face.depth - contact.near_end, far = contact.far_end - face.depth;
+  from_inside_ = face.boundary.from_inside;
+  front_ = from_inside_ ? far : near, back_ = from_inside_ ? near : far;
 }
 
 bool has_media(const PreparedScene& scene) {
@@ -110,29 +123,50 @@ PathMedia media_at(const PreparedScene& scene, Vec3f point) {
   // Upwards, and along no axis or diagonal, where edges lie.
   const Vec3f up = normalize(Vec3f{0.1234f, 0.9731f, 0.0837f});
   std::vector<std::uint32_t> entered, around;  // from the inside out
-  for (const Crossing& c : crossings(scene, {point, up})) {
-    if (!c.leaves)
-      entered.push_back(c.material);
-    else if (!take_last(entered, c.material))
-      around.push_back(c.material);
+  Ray ray{point, up};
+  for (int i = 0; i < kMostHidden; ++i) {
+    Hit hit = scene.accel.intersect(ray);
+    if (hit.shape == kNoHit) break;
+    const Contact contact = contact_at(scene, hit, up);
+    for (const Contact::Face& f : contact.solids()) {
+      const std::uint32_t material = f.boundary.material;
+      if (!f.boundary.from_inside)
+        entered.push_back(material);
+      else if (!take_last(entered, material))
+        around.push_back(material);
+    }
+    PathMedia passed;
+    hit = passed.meet(scene.surfaces, contact).hit;
+    ray.origin = pass_hidden(passed, scene, hit, up);
   }
   for (const std::uint32_t material : entered) take_last(around, material);  // turned inside out
-  PathMedia media;
+  MediaStack media;
   for (const std::uint32_t material : around | std::views::reverse) media.enter(scene.surfaces, material);
-  return media;
+  return PathMedia(media);
 }
 
-void meet(PathMedia& media, const PreparedScene& scene, const Hit& hit, Vec3f direction) {
+void meet(PathMedia& media, const PreparedScene& scene, Hit& hit, Vec3f direction) {
   const Geometry& geometry = scene.scene.geometry;
   const std::uint32_t material = geometry.shapes[hit.shape].material;
-  const bool from_inside = scene.surfaces[material].encloses &&
-                           dot(surface_point(geometry, hit).geometric_normal, direction) >= 0.0f;
-  media.meet(scene.surfaces, material, from_inside);
+  const Surface& surface = scene.surfaces[material];
+  if (!surface.encloses && !touches(scene, hit)) {
+    media.meet(scene.surfaces, Boundary{material, false});
+    return;
+  }
+  const SurfacePoint point = surface_point(geometry, hit);
+  const float cosine = dot(point.geometric_normal, direction);
+  // On what nothing passes, the place matters to rays alone that come out of a gap narrower than rounding.
+  if (touches(scene, hit) && (surface.lets_through || std::abs(cosine) * hit.t < 2.0f * point.error))
+    hit = media.meet(scene.surfaces, contact_at(scene, hit, direction)).hit;
+  else
+    media.meet(scene.surfaces, Boundary{material, cosine >= 0.0f});
 }
 
 Vec3f pass_hidden(PathMedia& media, const PreparedScene& scene, const Hit& hit, Vec3f direction) {
-  media.cross(scene.surfaces);
-  return surface_point(scene.scene.geometry, hit).leave(direction);
+  SurfacePoint point = surface_point(scene.scene.geometry, hit);
+  media.widen(point);
+  media.cross();
+  return point.leave(direction);
 }
 
 }  // namespace photopic

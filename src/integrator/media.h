@@ -5,62 +5,105 @@
 #include <span>
 
 #include "core/prepared_scene.h"
+#include "core/surface_point.h"
+#include "integrator/contact.h"
 
 namespace photopic {
 
-/// The media that a path is in: solid glasses that it entered and did not leave. Light travels in the one of
-/// the highest priority, among equals in the one entered last; all else is hidden (Schmidt & Budge 2002,
-/// "Simple nested dielectrics in ray traced images"). So shells within shells need no priorities, and where
-/// solids overlap the higher priority says where the interface is. Outside all media the index is 1.
-class PathMedia {
+/// Solid glasses that a point lies in. Light travels in the one of the highest priority, among equals in the
+/// one entered last; all else is hidden (Schmidt & Budge 2002, "Simple nested dielectrics in ray traced
+/// images"). So shells within shells need no priorities, and where solids overlap the higher priority says
+/// where the interface is. Outside all media the index is 1.
+class MediaStack {
  public:
   static constexpr std::uint32_t kCapacity = 8;
   static constexpr std::int32_t kVacuum = -1;
-
-  /// A surface that the path meets next; the state is that of before it until it is crossed. Glass met from
-  /// within that the path never entered held it all along, outside of what it did enter.
-  /// @param surfaces of the scene's materials @param from_inside whether the path comes from the back
-  void meet(std::span<const Surface> surfaces, std::uint32_t material, bool from_inside);
-
-  /// Whether the path goes on through the surface that it met as if there were none: the same medium lies on
-  /// both sides.
-  bool hidden() const { return hidden_; }
 
   /// The medium (index of its material, or kVacuum) that light travels in.
   std::int32_t current() const {
     return size_ == 0 ? kVacuum : static_cast<std::int32_t>(materials_[size_ - 1]);
   }
-  /// The medium in front of the surface that was met, which is not hidden; the glass itself lies behind it.
-  std::int32_t outside() const { return outside_; }
-  /// The medium on the surface's front, or on its back.
-  std::int32_t on_side(bool inside) const {
-    if (!encloses_ || inside == from_inside_) return current();
-    return inside ? static_cast<std::int32_t>(met_) : outside_;
-  }
+  bool contains(std::uint32_t material) const;
 
-  /// On to the front of the surface that was met, or to its back.
-  void go_on(std::span<const Surface> surfaces, bool inside) {
-    if (inside != from_inside_) cross(surfaces);
-  }
-  /// To the other side.
-  void cross(std::span<const Surface> surfaces);
-
-  /// Into a medium, whatever was met.
   void enter(std::span<const Surface> surfaces, std::uint32_t material);
+  void leave(std::uint32_t material);
+  /// Into what lies around all that was entered.
+  void surround(std::span<const Surface> surfaces, std::uint32_t material);
 
   /// Whether there were ever more than kCapacity: then the outermost is forgotten until it is left.
   bool overflowed() const { return overflowed_; }
 
  private:
-  bool contains(std::uint32_t material) const;
   void insert(std::uint32_t at, std::uint32_t material);
-  void leave(std::uint32_t material);
 
   std::array<std::uint32_t, kCapacity> materials_{};  ///< by rising priority, then as they were entered
   std::uint32_t size_ = 0;
-  std::uint32_t met_ = 0;
-  std::int32_t outside_ = kVacuum;
-  bool encloses_ = false, from_inside_ = false, hidden_ = false, overflowed_ = false;
+  bool overflowed_ = false;
+};
+
+/// The media that a path is in, and those beyond the surfaces that it has met.
+class PathMedia {
+ public:
+  static constexpr std::int32_t kVacuum = MediaStack::kVacuum;
+
+  PathMedia() = default;
+  explicit PathMedia(const MediaStack& around) : here_(around), beyond_(around) {}
+
+  /// Surfaces in one place that the path meets next; the state is that of before them until they are crossed.
+  /// A solid met from within that the path never entered held it all along, outside of what it did enter.
+  /// @return what shades: the contact's screen, or the face that is the interface between the media on both
+  /// sides; where there are two, that of the higher priority, among equals the rougher
+  const Contact::Face& meet(std::span<const Surface> surfaces, const Contact& contact);
+  /// A surface that nothing touches.
+  void meet(std::span<const Surface> surfaces, Boundary alone);
+
+  /// Whether the path goes on through what it met as if there were nothing: the same medium lies on both
+  /// sides.
+  bool hidden() const { return hidden_; }
+
+  /// The medium (index of its material, or kVacuum) that light travels in.
+  std::int32_t current() const { return here_.current(); }
+  /// What light was taken to travel in before a solid was left that had not been entered; else current(). A
+  /// path that has crossed nothing began in that solid.
+  std::int32_t believed() const { return believed_; }
+  /// The medium in front of the solid that shades; its own lies behind it.
+  std::int32_t outside() const { return outside_; }
+  /// The medium on the front of what shades, or on its back.
+  std::int32_t on_side(bool inside) const {
+    return inside == from_inside_ ? here_.current() : beyond_.current();
+  }
+
+  /// On to the front of what shades, or to its back.
+  void go_on(bool inside) {
+    if (inside != from_inside_) cross();
+  }
+  /// To the other side.
+  void cross() { here_ = beyond_, crossed_ = true; }
+
+  /// Makes a point of what shades so thick that rays leave it beyond all that lies in its place.
+  void widen(SurfacePoint& point) const {
+    if (front_ == 0.0f && back_ == 0.0f) return;
+    point.position = point.position + point.geometric_normal * (0.5f * (front_ - back_));
+    point.error = 0.5f * (front_ + back_);
+  }
+
+  /// Whether there were more media at once, or more surfaces in one place, than are kept.
+  bool overflowed() const { return overflowed_ || here_.overflowed(); }
+  /// Whether the path left a solid that it had not entered.
+  bool slipped() const { return slipped_; }
+
+ private:
+  void look_out(std::span<const Surface> surfaces, std::uint32_t material);
+  void look_in(std::span<const Surface> surfaces, std::uint32_t material) {
+    beyond_.enter(surfaces, material);
+  }
+  const Contact::Face& interface(std::span<const Surface> surfaces, const Contact& contact) const;
+  void see(const Contact::Face& face, const Contact& contact);
+
+  MediaStack here_, beyond_;
+  std::int32_t outside_ = kVacuum, believed_ = kVacuum;
+  float front_ = 0, back_ = 0;  ///< how far the place reaches there [m]; 0: no further than rounding
+  bool from_inside_ = false, hidden_ = false, crossed_ = false, overflowed_ = false, slipped_ = false;
 };
 
 /// Whether a path can be in a medium at all.
@@ -82,8 +125,21 @@ void attenuate(SampledSpectrum<N>& radiance, const PreparedScene& scene, std::in
     radiance *= glass->transmittance(lambda, distance);
 }
 
-/// PathMedia::meet with what a ray hits.
-void meet(PathMedia& media, const PreparedScene& scene, const Hit& hit, Vec3f direction);
+/// PathMedia::meet with all that lies where a ray hits something. @param hit becomes one of what shades
+void meet(PathMedia& media, const PreparedScene& scene, Hit& hit, Vec3f direction);
+
+/// Where a path took itself to be in another medium than it was, it slipped in somewhere unrefracted: what
+/// stays the same is radiance over the index squared.
+template <int N>
+void mend(SampledSpectrum<N>& throughput, const PreparedScene& scene, const PathMedia& media,
+          SampledSpectrum<N> lambda) {
+  if (media.believed() == media.current()) return;
+  const Surface *from = surface_of(scene, media.believed()), *to = surface_of(scene, media.current());
+  for (int j = 0; j < N; ++j) {
+    const float ratio = (from ? from->index(lambda[j]) : 1.0f) / (to ? to->index(lambda[j]) : 1.0f);
+    throughput.set(j, throughput[j] * sqr(ratio));
+  }
+}
 
 /// Where the ray goes on that crosses a hidden surface.
 Vec3f pass_hidden(PathMedia& media, const PreparedScene& scene, const Hit& hit, Vec3f direction);

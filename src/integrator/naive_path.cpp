@@ -23,10 +23,12 @@ struct Step {
 };
 
 template <int N, typename Bsdf>
-std::optional<Step<N>> step(const Vertex<N, Bsdf>& vertex, float u_lobe, Sample2d u) {
+std::optional<Step<N>> step(const Vertex<N, Bsdf>& vertex, const PathMedia& media, float u_lobe, Sample2d u) {
   const auto s = vertex.sample(u_lobe, u);
   if (!s) return {};
-  return Step<N>{vertex.point.leave(s->wi), s->wi, s->weight, vertex.is_inwards(s->wi), s->split};
+  SurfacePoint point = vertex.point;
+  media.widen(point);
+  return Step<N>{point.leave(s->wi), s->wi, s->weight, vertex.is_inwards(s->wi), s->split};
 }
 
 }  // namespace
@@ -54,7 +56,7 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
   SampledSpectrum<N> throughput(1.0f), radiance(0.0f);
   PathMedia media = camera_media_;
   for (int depth = 1, hidden = 0;; ++depth) {
-    const Hit hit = scene_.accel.intersect(ray);
+    Hit hit = scene_.accel.intersect(ray);
     ++stats_.rays;
     if (!is_traceable(ray)) radiance = SampledSpectrum<N>(std::numeric_limits<float>::quiet_NaN());
     const bool escaped = hit.shape == kNoHit;
@@ -71,6 +73,9 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
       break;
     }
 
+    meet(media, scene_, hit, ray.direction);
+    mend(throughput, scene_, media, lambda);
+
     // Light from the surface itself.
     const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[hit.shape].material];
     const ShadingMaterial<N> material(surface, lambda, {scene_.scene.geometry, hit});
@@ -81,7 +86,6 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
       radiance += throughput * sample_emission<N>(spectrum, sampled) * material.emission_tint() *
                   surface.emission_luminance;
     }
-    meet(media, scene_, hit, ray.direction);
     if (media.hidden() && ++hidden < kMostHidden) {
       ray.origin = pass_hidden(media, scene_, hit, ray.direction);
       --depth;
@@ -98,22 +102,26 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     switch (ShadingMaterial<N>(surface, lambda, {scene_.scene.geometry, hit}, outside)
                 .choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)))) {
       case BsdfKind::diffuse:
-        next = step(Vertex<N, DiffuseBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
+        next =
+            step(Vertex<N, DiffuseBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);
         break;
       case BsdfKind::opaque:
-        next = step(Vertex<N, OpaqueBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
+        next = step(Vertex<N, OpaqueBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);
         break;
       case BsdfKind::conductor:
-        next = step(Vertex<N, ConductorBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
+        next =
+            step(Vertex<N, ConductorBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);
         break;
       case BsdfKind::layered:
-        next = step(Vertex<N, LayeredBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
+        next =
+            step(Vertex<N, LayeredBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);
         break;
       case BsdfKind::glass:
-        next = step(Vertex<N, GlassBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
+        next = step(Vertex<N, GlassBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);
         break;
       case BsdfKind::spectral_glass:
-        next = step(Vertex<N, SpectralGlassBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), u_lobe, u);
+        next = step(Vertex<N, SpectralGlassBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media,
+                    u_lobe, u);
         break;
     }
     if (!next) break;
@@ -121,9 +129,10 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     stats_.split_paths += next->split;
     if (throughput.is_black()) break;
     ray = {next->origin, next->direction};
-    media.go_on(scene_.surfaces, next->inwards);
+    media.go_on(next->inwards);
   }
   stats_.media_overflows += media.overflowed();
+  stats_.media_slips += media.slipped();
   return wavelengths.to_xyz(radiance);
 }
 

@@ -7,18 +7,20 @@ namespace photopic {
 /// The stages of paths in scenes that have media.
 
 /// From the last vertex to the hit.
-template <int N>
-void PathTracer<N>::travel(std::uint32_t slot) {
-  const Hit& hit = batch_.hits[slot];
-  attenuate(batch_.throughput[slot], scene_, batch_.media[slot].current(), batch_.wavelengths[slot].lambda,
-            hit.t);
-  meet(batch_.media[slot], scene_, hit, batch_.rays.direction[slot]);
+template <int N, Features kHas>
+void PathTracer<N, kHas>::travel(std::uint32_t slot) {
+  Hit& hit = batch_.hits[slot];
+  PathMedia& media = batch_.media[slot];
+  const SampledSpectrum<N> lambda = batch_.wavelengths[slot].lambda;
+  attenuate(batch_.throughput[slot], scene_, media.current(), lambda, hit.t);
+  meet(media, scene_, hit, batch_.rays.direction[slot]);
+  mend(batch_.throughput[slot], scene_, media, lambda);
 }
 
 /// Paths go on through surfaces that are hidden, which do not count as met. Light samples end there, so what
 /// lies beyond is found by this ray alone, as after a delta lobe.
-template <int N>
-void PathTracer<N>::pass_hidden_surfaces() {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::pass_hidden_surfaces() {
   const auto is_seen = [&](std::uint32_t slot) { return !batch_.media[slot].hidden(); };
   std::vector<std::uint32_t> arrived;
   for (int i = 0; i < kMostHidden; ++i) {
@@ -38,13 +40,10 @@ void PathTracer<N>::pass_hidden_surfaces() {
   batch_.active = std::move(arrived);
 }
 
-template void PathTracer<1>::travel(std::uint32_t);
-template void PathTracer<4>::travel(std::uint32_t);
-template void PathTracer<8>::travel(std::uint32_t);
-template void PathTracer<16>::travel(std::uint32_t);
-template void PathTracer<1>::pass_hidden_surfaces();
-template void PathTracer<4>::pass_hidden_surfaces();
-template void PathTracer<8>::pass_hidden_surfaces();
-template void PathTracer<16>::pass_hidden_surfaces();
+#define PHOTOPIC_LOOP(N, features)                              \
+  template void PathTracer<N, features>::travel(std::uint32_t); \
+  template void PathTracer<N, features>::pass_hidden_surfaces();
+PHOTOPIC_FOR_EACH_LOOP(PHOTOPIC_LOOP)
+#undef PHOTOPIC_LOOP
 
 }  // namespace photopic

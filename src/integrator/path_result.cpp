@@ -5,17 +5,20 @@
 namespace photopic {
 
 /// A path whose last ray could not be traced is lost, whatever it had gathered.
-template <int N>
-bool PathTracer<N>::is_lost(std::size_t slot) const {
+template <int N, Features kHas>
+bool PathTracer<N, kHas>::is_lost(std::size_t slot) const {
   return !is_traceable(Ray{batch_.rays.origin[slot], batch_.rays.direction[slot]});
 }
 
 /// In the order of the slots: a pixel's sum has the same bits however its paths were batched.
-template <int N>
-void PathTracer<N>::finish(std::span<const PathKey> paths, Film& film) {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::finish(std::span<const PathKey> paths, Film& film) {
   std::vector<PathKey> non_finite;
   for (std::size_t slot = 0; slot < paths.size(); ++slot) {
-    if (!batch_.media.empty()) stats_.media_overflows += batch_.media[slot].overflowed();
+    if (kHas.media && !batch_.media.empty()) {
+      stats_.media_overflows += batch_.media[slot].overflowed();
+      stats_.media_slips += batch_.media[slot].slipped();
+    }
     const Xyz xyz = batch_.wavelengths[slot].to_xyz(batch_.radiance[slot]);
     if (std::isfinite(xyz.x + xyz.y + xyz.z) && !is_lost(slot))
       film.add(batch_.pixel[slot], xyz);
@@ -26,8 +29,8 @@ void PathTracer<N>::finish(std::span<const PathKey> paths, Film& film) {
 }
 
 /// Traces the paths once more to see what goes wrong: the same numbers take them the same way.
-template <int N>
-void PathTracer<N>::count_non_finite(std::span<const PathKey> paths) {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::count_non_finite(std::span<const PathKey> paths) {
   const RenderStats before = stats_;
   NonFiniteWatch<N> watch(batch_, paths.size());
   StageWatch* const other = std::exchange(watch_, &watch);
@@ -38,9 +41,9 @@ void PathTracer<N>::count_non_finite(std::span<const PathKey> paths) {
   stats_.non_finite_causes += watch.counts();
 }
 
-template void PathTracer<1>::finish(std::span<const PathKey>, Film&);
-template void PathTracer<4>::finish(std::span<const PathKey>, Film&);
-template void PathTracer<8>::finish(std::span<const PathKey>, Film&);
-template void PathTracer<16>::finish(std::span<const PathKey>, Film&);
+#define PHOTOPIC_LOOP(N, features) \
+  template void PathTracer<N, features>::finish(std::span<const PathKey>, Film&);
+PHOTOPIC_FOR_EACH_LOOP(PHOTOPIC_LOOP)
+#undef PHOTOPIC_LOOP
 
 }  // namespace photopic

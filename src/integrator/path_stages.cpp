@@ -13,20 +13,20 @@ constexpr float kSpared = 1.5f;
 
 }  // namespace
 
-template <int N>
-PathTracer<N>::PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths,
-                          const RenderOptions& options, const WavelengthTable& table)
+template <int N, Features kHas>
+PathTracer<N, kHas>::PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths,
+                                const RenderOptions& options, const WavelengthTable& table)
     : scene_(scene),
       sampler_(wavelengths),
       options_(options),
       table_(table),
       batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene),
       shading_(scene) {
-  if (!batch_.media.empty()) camera_media_ = media_at(scene, scene.scene.camera.position);
+  if (kHas.media && !batch_.media.empty()) camera_media_ = media_at(scene, scene.scene.camera.position);
 }
 
-template <int N>
-void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::trace(std::span<const PathKey> paths, Film& film) {
   StageClock clock(stats_.stages);
   if (options_.time_stages) watch_ = &clock;
   advance(paths);
@@ -35,15 +35,15 @@ void PathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
   watch_ = nullptr;
 }
 
-template <int N>
-void PathTracer<N>::advance(std::span<const PathKey> paths) {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::advance(std::span<const PathKey> paths) {
   start(paths);
   done(kStageStart);
   for (int depth = 1; !batch_.active.empty(); ++depth) {
     intersect();
     done(kStageIntersect);
     absorb_and_emit();
-    if (!batch_.media.empty()) pass_hidden_surfaces();
+    if (kHas.media && !batch_.media.empty()) pass_hidden_surfaces();
     done(kStageEmit);
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
@@ -58,8 +58,8 @@ void PathTracer<N>::advance(std::span<const PathKey> paths) {
   }
 }
 
-template <int N>
-void PathTracer<N>::start(std::span<const PathKey> paths) {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::start(std::span<const PathKey> paths) {
   batch_.active.resize(paths.size());
   std::iota(batch_.active.begin(), batch_.active.end(), 0u);
   for (std::uint32_t slot = 0; slot < paths.size(); ++slot) batch_.pixel[slot] = paths[slot].pixel;
@@ -77,26 +77,27 @@ void PathTracer<N>::start(std::span<const PathKey> paths) {
   stats_.paths += paths.size();
 }
 
-template <int N>
-void PathTracer<N>::draw_wavelengths(const Packet& packet, const SampleStreamLanes& stream) {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::draw_wavelengths(const Packet& packet, const SampleStreamLanes& stream) {
   const UintLanes bits = stream.bits(kWavelength);
   for (int i = 0; i < packet.count; ++i)
     batch_.sampled[packet[i]] = sample_wavelengths<N>(sampler_, SampleStream::fine(bits[i]));
 }
 
 /// What depends on the wavelengths alone, in a loop of its own, where neighbouring paths overlap.
-template <int N>
-void PathTracer<N>::look_up_wavelengths() {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::look_up_wavelengths() {
   for (const std::uint32_t slot : batch_.active) {
     const auto& sampled = batch_.sampled[slot];
     batch_.wavelengths[slot] =
         PathWavelengths<N>(sampled, table_.look_up<N>(sampled.lambda, batch_.emissions_of(slot)));
-    if (!batch_.tints.empty()) batch_.tints[slot] = SampledTints<N>(batch_.wavelengths[slot].lambda);
+    if (kHas.environment && !batch_.tints.empty())
+      batch_.tints[slot] = SampledTints<N>(batch_.wavelengths[slot].lambda);
   }
 }
 
-template <int N>
-void PathTracer<N>::leave_camera(const Packet& packet, const RayLanes& rays) {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::leave_camera(const Packet& packet, const RayLanes& rays) {
   batch_.rays.origin.scatter(packet, rays.origin);
   batch_.rays.direction.scatter(packet, rays.direction);
   for (int i = 0; i < packet.count; ++i) {
@@ -105,26 +106,26 @@ void PathTracer<N>::leave_camera(const Packet& packet, const RayLanes& rays) {
     batch_.radiance[slot] = SampledSpectrum<N>(0.0f);
     batch_.bsdf_pdf[slot] = 0.0f;
     batch_.eta_scale[slot] = 1.0f;
-    if (!batch_.media.empty()) batch_.media[slot] = camera_media_;
+    if (kHas.media && !batch_.media.empty()) batch_.media[slot] = camera_media_;
   }
 }
 
-template <int N>
-void PathTracer<N>::intersect() {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::intersect() {
   scene_.accel.intersect(batch_.rays, batch_.active, batch_.hits);
   stats_.rays += batch_.active.size();
 }
 
 /// Light from the environment, where paths leave the scene.
-template <int N>
-void PathTracer<N>::escape() {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::escape() {
   const Environment& environment = *scene_.scene.environment;
   for (const std::uint32_t slot : batch_.active) {
     if (batch_.hits[slot].shape != kNoHit) continue;
     const Vec3f direction = batch_.rays.direction[slot], rgb = environment.radiance(direction);
     SampledSpectrum<N> arriving = batch_.throughput[slot] * batch_.tints[slot](rgb.x, rgb.y, rgb.z) *
                                   batch_.emission_of(slot, environment.emission_spectrum);
-    if (!batch_.media.empty())
+    if (kHas.media && !batch_.media.empty())
       attenuate(arriving, scene_, batch_.media[slot].current(), batch_.wavelengths[slot].lambda,
                 std::numeric_limits<float>::infinity());
     if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
@@ -136,14 +137,14 @@ void PathTracer<N>::escape() {
 
 /// What happens on the way to the hit and at it, whatever the BSDF: absorption in glass, light from a lamp
 /// that was hit.
-template <int N>
-void PathTracer<N>::absorb_and_emit() {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::absorb_and_emit() {
   const Geometry& geometry = scene_.scene.geometry;
-  if (scene_.scene.environment) escape();
+  if (kHas.environment && scene_.scene.environment) escape();
   std::erase_if(batch_.active, [&](std::uint32_t slot) { return batch_.hits[slot].shape == kNoHit; });
   for (const std::uint32_t slot : batch_.active) {
     const Hit& hit = batch_.hits[slot];
-    if (!batch_.media.empty()) travel(slot);
+    if (kHas.media && !batch_.media.empty()) travel(slot);
     const std::uint32_t material = geometry.shapes[hit.shape].material;
     const Surface& surface = scene_.surfaces[material];
     if (!surface.emits) continue;
@@ -155,30 +156,32 @@ void PathTracer<N>::absorb_and_emit() {
       weight *= power_heuristic(pdf, scene_.lights.pdf(batch_.vertex_of(slot), batch_.spectra_of(slot),
                                                        hit.shape, hit.triangle, hit.t));
     SampledSpectrum<N> emitted = batch_.emission_of(slot, surface.emission_spectrum);
-    if (surface.emission_varies)
+    if (kHas.textures && surface.emission_varies)
       emitted *=
           ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda, {geometry, hit}).emission_tint();
     batch_.radiance[slot] += batch_.throughput[slot] * emitted * weight;
   }
 }
 
-template <int N>
-void PathTracer<N>::sort_by_bsdf(int depth) {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::sort_by_bsdf(int depth) {
   for (auto& queue : batch_.by_kind) queue.clear();
   for (const std::uint32_t slot : batch_.active) {
     const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[batch_.hits[slot].shape].material];
     BsdfKind kind = surface.opaque_kind;
     if (!surface.scatters) continue;
+    const TrianglePoint point(scene_.scene.geometry, batch_.hits[slot]);
+    if (kHas.textures) surface.prefetch(point);
     if (surface.transmits)
-      kind = ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda,
-                                {scene_.scene.geometry, batch_.hits[slot]}, batch_.outside_of(slot, scene_))
-                 .choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
+      kind =
+          ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda, point, batch_.outside_of(slot, scene_))
+              .choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
     batch_.by_kind[static_cast<std::size_t>(kind)].push_back(slot);
   }
 }
 
-template <int N>
-void PathTracer<N>::trace_shadow_rays() {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::trace_shadow_rays() {
   scene_.accel.occluded(batch_.shadow_rays, batch_.shadowed, batch_.blocked);
   stats_.shadow_rays += batch_.shadowed.size();
   for (const std::uint32_t slot : batch_.shadowed)
@@ -187,8 +190,8 @@ void PathTracer<N>::trace_shadow_rays() {
 
 /// Ends paths with the probability 1 − 1.5 max β: the brightest wavelength decides, so none is thrown away
 /// that counts.
-template <int N>
-void PathTracer<N>::roulette(int depth) {
+template <int N, Features kHas>
+void PathTracer<N, kHas>::roulette(int depth) {
   if (depth < kRouletteDepth) return;
   std::size_t alive = 0;
   for (std::size_t first = 0; first < batch_.active.size(); first += kLanes) {
@@ -205,9 +208,8 @@ void PathTracer<N>::roulette(int depth) {
   batch_.active.resize(alive);
 }
 
-template class PathTracer<1>;
-template class PathTracer<4>;
-template class PathTracer<8>;
-template class PathTracer<16>;
+#define PHOTOPIC_LOOP(N, features) template class PathTracer<N, features>;
+PHOTOPIC_FOR_EACH_LOOP(PHOTOPIC_LOOP)
+#undef PHOTOPIC_LOOP
 
 }  // namespace photopic

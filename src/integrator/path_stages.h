@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "integrator/features.h"
 #include "integrator/integrator.h"
 #include "integrator/non_finite_watch.h"
 #include "integrator/path_batch.h"
@@ -11,7 +12,8 @@
 namespace photopic {
 
 /// Advances batches of paths from the camera to their ends, one stage for all of them at a time.
-template <int N>
+/// kHas must cover the scene.
+template <int N, Features kHas>
 class PathTracer {
  public:
   /// @param table of the scene's emissions and the observer
@@ -50,7 +52,7 @@ class PathTracer {
   const RenderOptions& options_;
   const WavelengthTable& table_;
   PathBatch<N> batch_;
-  ShadingStage<N> shading_;
+  ShadingStage<N, kHas> shading_;
   PathMedia camera_media_;  ///< around the camera
   RenderStats stats_;
   StageWatch* watch_ = nullptr;  ///< or none

@@ -133,34 +133,48 @@ class TileRenderer {
   std::optional<Film> second_film_;  ///< of every other run of samples, where the error is asked for
 };
 
-/// The widths that are compiled.
-template <template <int> typename Tracer, typename... Shared>
-RenderResult render_with(const PreparedScene& scene, const WavelengthSampler& wavelengths,
-                         const RenderOptions& options, const Shared&... shared) {
+/// Calls render with the number of wavelengths as a constant.
+template <typename Render>
+RenderResult with_width(const WavelengthSampler& wavelengths, const Render& render) {
   switch (wavelength_count(wavelengths)) {
     case 1:
-      return TileRenderer<Tracer<1>>(scene, wavelengths, options, shared...).render();
+      return render(std::integral_constant<int, 1>{});
     case 4:
-      return TileRenderer<Tracer<4>>(scene, wavelengths, options, shared...).render();
+      return render(std::integral_constant<int, 4>{});
     case 8:
-      return TileRenderer<Tracer<8>>(scene, wavelengths, options, shared...).render();
+      return render(std::integral_constant<int, 8>{});
     case 16:
-      return TileRenderer<Tracer<16>>(scene, wavelengths, options, shared...).render();
+      return render(std::integral_constant<int, 16>{});
   }
   throw std::invalid_argument("a path carries 1, 4, 8 or 16 wavelengths");
+}
+
+template <Features kHas>
+RenderResult render_with(const PreparedScene& scene, const WavelengthSampler& wavelengths,
+                         const RenderOptions& options) {
+  const WavelengthTable table(*options.observer, scene.scene.emission_spectra);
+  return with_width(wavelengths, [&]<int N>(std::integral_constant<int, N>) {
+    return TileRenderer<PathTracer<N, kHas>>(scene, wavelengths, options, table).render();
+  });
 }
 
 }  // namespace
 
 RenderResult render(const PreparedScene& scene, const WavelengthSampler& wavelengths,
                     const RenderOptions& options) {
-  const WavelengthTable table(*options.observer, scene.scene.emission_spectra);
-  return render_with<PathTracer>(scene, wavelengths, options, table);
+  const Features has = features_of(scene);
+  if (kPlain.cover(has)) return render_with<kPlain>(scene, wavelengths, options);
+  if (kManyLights.cover(has)) return render_with<kManyLights>(scene, wavelengths, options);
+  if (kTextured.cover(has)) return render_with<kTextured>(scene, wavelengths, options);
+  if (kGlass.cover(has)) return render_with<kGlass>(scene, wavelengths, options);
+  return render_with<kEverything>(scene, wavelengths, options);
 }
 
 RenderResult render_naive(const PreparedScene& scene, const WavelengthSampler& wavelengths,
                           const RenderOptions& options) {
-  return render_with<NaivePathTracer>(scene, wavelengths, options);
+  return with_width(wavelengths, [&]<int N>(std::integral_constant<int, N>) {
+    return TileRenderer<NaivePathTracer<N>>(scene, wavelengths, options).render();
+  });
 }
 
 }  // namespace photopic

@@ -8,8 +8,8 @@
 
 namespace photopic {
 
-template <int N>
-std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, int depth, StageWatch* watch) {
+template <int N, Features kHas>
+std::uint64_t ShadingStage<N, kHas>::shade(PathBatch<N>& batch, int depth, StageWatch* watch) {
   std::uint64_t split = 0;
   const auto shade_all = [&]<typename Bsdf>(BsdfKind kind, std::type_identity<Bsdf>) {
     if (batch.by_kind[static_cast<std::size_t>(kind)].empty()) return;
@@ -25,14 +25,14 @@ std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, int depth, StageWatch*
   return split;
 }
 
-template <int N>
+template <int N, Features kHas>
 template <typename Bsdf>
-std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, BsdfKind kind, int depth) {
+std::uint64_t ShadingStage<N, kHas>::shade(PathBatch<N>& batch, BsdfKind kind, int depth) {
   const auto& slots = batch.by_kind[static_cast<std::size_t>(kind)];
   std::uint64_t split = 0;
   for (std::size_t first = 0; first < slots.size(); first += kLanes) {
     const Packet packet(slots, first);
-    const VertexPacket<N, Bsdf> vertices(scene_, batch, packet);
+    const VertexPacket<N, Bsdf, kHas> vertices(scene_, batch, packet);
     if (!scene_.lights.empty()) sample_lights(batch, packet, depth, vertices);
     split += sample_directions(batch, packet, depth, vertices);
   }
@@ -40,8 +40,8 @@ std::uint64_t ShadingStage<N>::shade(PathBatch<N>& batch, BsdfKind kind, int dep
 }
 
 /// Where lights differ in spectrum: what those of each may add to this path.
-template <int N>
-void ShadingStage<N>::weigh_spectra(PathBatch<N>& batch, std::uint32_t slot) const {
+template <int N, Features kHas>
+void ShadingStage<N, kHas>::weigh_spectra(PathBatch<N>& batch, std::uint32_t slot) const {
   const std::span<float> spectra = batch.spectra_of(slot);
   if (spectra.empty()) return;
   const SampledSpectrum<N> importance = batch.throughput[slot] * batch.wavelengths[slot].importance();
@@ -51,10 +51,10 @@ void ShadingStage<N>::weigh_spectra(PathBatch<N>& batch, std::uint32_t slot) con
 }
 
 /// What varies over a lamp, at the point that was chosen.
-template <int N>
-SampledSpectrum<N> ShadingStage<N>::lamp_tint(const PathBatch<N>& batch, std::uint32_t slot,
-                                              std::uint32_t material, std::uint32_t triangle,
-                                              Vec3f position) const {
+template <int N, Features kHas>
+SampledSpectrum<N> ShadingStage<N, kHas>::lamp_tint(const PathBatch<N>& batch, std::uint32_t slot,
+                                                    std::uint32_t material, std::uint32_t triangle,
+                                                    Vec3f position) const {
   const Surface& lamp = scene_.surfaces[material];
   if (!lamp.emission_varies && !lamp.partly_covers) return SampledSpectrum<N>(1.0f);
   const TrianglePoint point = triangle_point_at(scene_.scene.geometry, triangle, position);
@@ -62,14 +62,17 @@ SampledSpectrum<N> ShadingStage<N>::lamp_tint(const PathBatch<N>& batch, std::ui
          lamp.coverage(point);
 }
 
-template <int N>
+template <int N, Features kHas>
 template <typename Bsdf>
-LightSampleLanes ShadingStage<N>::choose_lights(PathBatch<N>& batch, const Packet& packet, int depth,
-                                                const VertexPacket<N, Bsdf>& vertices) const {
+LightSampleLanes ShadingStage<N, kHas>::choose_lights(PathBatch<N>& batch, const Packet& packet, int depth,
+                                                      const VertexPacket<N, Bsdf, kHas>& vertices) const {
   const SampleStreamLanes stream = batch.stream.gather(packet);
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kLightPoint));
   LightSampleLanes lights;
-  if (scene_.lights.sample_only_light(vertices.point.position, u, lights)) return lights;
+  if (!kHas.several_lights || scene_.lights.has_only_light()) {
+    scene_.lights.sample_only_light(vertices.point.position, u, lights);
+    return lights;
+  }
   const UintLanes choice = stream.bits(bounce_dimension(depth, kLightChoice));
   LightReferenceLanes at{.position = vertices.point.position,
                          .normal = {},
@@ -90,10 +93,10 @@ LightSampleLanes ShadingStage<N>::choose_lights(PathBatch<N>& batch, const Packe
 }
 
 /// Next-event estimation: a direction to a light, weighted against finding it by the BSDF.
-template <int N>
+template <int N, Features kHas>
 template <typename Bsdf>
-void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, int depth,
-                                    const VertexPacket<N, Bsdf>& vertices) {
+void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& packet, int depth,
+                                          const VertexPacket<N, Bsdf, kHas>& vertices) {
   const LightSampleLanes lights = choose_lights(batch, packet, depth, vertices);
 
   // What does the BSDF make of it?
@@ -118,15 +121,15 @@ void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, i
     const Vec3f wi = lane(lights.direction, i);
     SampledSpectrum<N> arriving = batch.throughput[slot] * f_cos[static_cast<std::size_t>(i)] *
                                   batch.emission_of(slot, lights.spectrum[i]) * weight[i];
-    if (lights.environment[i]) {
+    if (kHas.environment && lights.environment[i]) {
       const Vec3f rgb = scene_.scene.environment->radiance(wi);
       arriving *= batch.tints[slot](rgb.x, rgb.y, rgb.z);
     }
-    if (lights.material[i] != kNoMaterial)
+    if (kHas.textures && lights.material[i] != kNoMaterial)
       arriving *= lamp_tint(batch, slot, lights.material[i], lights.triangle[i], lane(lights.end, i));
     if (arriving.is_black()) continue;
     const float distance = lights.distance[i];
-    if (!batch.media.empty())
+    if (kHas.media && !batch.media.empty())
       attenuate(arriving, scene_, batch.media[slot].on_side(inwards[i]), batch.wavelengths[slot].lambda,
                 distance);
 
@@ -140,10 +143,10 @@ void ShadingStage<N>::sample_lights(PathBatch<N>& batch, const Packet& packet, i
 }
 
 /// Where the paths go on.
-template <int N>
+template <int N, Features kHas>
 template <typename Bsdf>
-std::uint64_t ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
-                                                 const VertexPacket<N, Bsdf>& vertices) {
+std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
+                                                       const VertexPacket<N, Bsdf, kHas>& vertices) {
   const SampleStreamLanes stream = batch.stream.gather(packet);
   const Lanes u_lobe = stream.get_1d(bounce_dimension(depth, kBsdfLobe));
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
@@ -164,15 +167,14 @@ std::uint64_t ShadingStage<N>::sample_directions(PathBatch<N>& batch, const Pack
     batch.vertex.set(slot, lane(vertices.point.position, i));
     batch.bsdf_pdf[slot] = samples.pdf[i];
     batch.eta_scale[slot] *= sqr(samples.eta[i]);
-    if (!batch.media.empty()) batch.media[slot].go_on(scene_.surfaces, inwards[i]);
+    if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(inwards[i]);
     batch.active.push_back(slot);
   }
   return split;
 }
 
-template class ShadingStage<1>;
-template class ShadingStage<4>;
-template class ShadingStage<8>;
-template class ShadingStage<16>;
+#define PHOTOPIC_LOOP(N, features) template class ShadingStage<N, features>;
+PHOTOPIC_FOR_EACH_LOOP(PHOTOPIC_LOOP)
+#undef PHOTOPIC_LOOP
 
 }  // namespace photopic

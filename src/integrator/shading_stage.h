@@ -1,5 +1,6 @@
 #pragma once
 
+#include "integrator/features.h"
 #include "integrator/stage_watch.h"
 #include "integrator/vertex_packet.h"
 
@@ -7,7 +8,7 @@ namespace photopic {
 
 /// The stage between two flights: at each path's vertex it samples a light and the direction in which the
 /// path goes on. 16 paths with one kind of BSDF are taken at a time.
-template <int N>
+template <int N, Features kHas>
 class ShadingStage {
  public:
   explicit ShadingStage(const PreparedScene& scene) : scene_(scene) {}
@@ -25,13 +26,13 @@ class ShadingStage {
                                std::uint32_t triangle, Vec3f position) const;
   template <typename Bsdf>
   LightSampleLanes choose_lights(PathBatch<N>& batch, const Packet& packet, int depth,
-                                 const VertexPacket<N, Bsdf>& vertices) const;
+                                 const VertexPacket<N, Bsdf, kHas>& vertices) const;
   template <typename Bsdf>
   void sample_lights(PathBatch<N>& batch, const Packet& packet, int depth,
-                     const VertexPacket<N, Bsdf>& vertices);
+                     const VertexPacket<N, Bsdf, kHas>& vertices);
   template <typename Bsdf>
   std::uint64_t sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
-                                  const VertexPacket<N, Bsdf>& vertices);
+                                  const VertexPacket<N, Bsdf, kHas>& vertices);
 
   const PreparedScene& scene_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "integrator/features.h"
 #include "integrator/path_batch.h"
 #include "integrator/vertex.h"
 
@@ -24,17 +25,18 @@ struct DirectionSamples {
 
 /// Vertices of up to 16 paths: what is geometry is done for all lanes at once, BSDFs one by one. Directions
 /// are in world space.
-template <int N, typename Bsdf>
+template <int N, typename Bsdf, Features kHas>
 struct VertexPacket {
   VertexPacket(const PreparedScene& scene, const PathBatch<N>& batch, const Packet& packet)
       : point(surface_points(scene.scene.geometry, batch.hits, packet)) {
     const Geometry& geometry = scene.scene.geometry;
+    if (kHas.media && !scene.touching.empty()) widen(batch, packet);
     const Vec3Lanes wo_world = -batch.rays.direction.gather(packet);
     for (int i = 0; i < packet.count; ++i) {
       const Hit& hit = batch.hits[packet[i]];
       const std::uint32_t m = geometry.shapes[hit.shape].material;
       material[static_cast<std::size_t>(i)] = m;
-      if (scene.surfaces[m].maps_normals)
+      if (kHas.textures && scene.surfaces[m].maps_normals)
         set_lane(point.shading_normal, i,
                  mapped_normal(geometry, hit, lane(point, i), lane(wo_world, i), scene.surfaces[m]));
     }
@@ -48,12 +50,22 @@ struct VertexPacket {
     for (int i = 0; i < packet.count; ++i) {
       const std::uint32_t slot = packet[i];
       const ShadingMaterial<N> at_hit(surface(scene, i), batch.wavelengths[slot].lambda,
-                                      {geometry, batch.hits[slot]}, batch.outside_of(slot, scene));
+                                      {geometry, batch.hits[slot]},
+                                      kHas.media ? batch.outside_of(slot, scene) : nullptr);
       bsdf[static_cast<std::size_t>(i)].emplace(
           make_bsdf<Bsdf>(at_hit, lane(wo, i), batch.throughput[slot], [&] {
             return coat_normal(geometry, batch.hits[slot], lane(wo_world, i), surface(scene, i),
                                lane(frame, i), lane(point.geometric_normal, i));
           }));
+    }
+  }
+
+  /// By what lies in the same place.
+  void widen(const PathBatch<N>& batch, const Packet& packet) {
+    for (int i = 0; i < packet.count; ++i) {
+      SurfacePoint one = lane(point, i);
+      batch.media[packet[i]].widen(one);
+      set_lane(point, i, one);
     }
   }
 

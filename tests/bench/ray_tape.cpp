@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <memory>
+#include <random>
 #include <stdexcept>
 
 #include "bench_scene.h"
@@ -143,6 +144,32 @@ Recording::Recording(RayTape& tape) {
 }
 Recording::~Recording() {
   recording = nullptr;
+}
+
+std::vector<RayPacket> shuffled(std::span<const RayPacket> packets) {
+  struct Place {
+    std::uint32_t packet, lane;
+  };
+  std::mt19937 random(1);
+  std::vector<RayPacket> result;
+  for (const bool shadow : {false, true}) {
+    std::vector<Place> rays;
+    for (std::uint32_t p = 0; p < packets.size(); ++p)
+      for (std::uint32_t i = 0; i < kPacketSize; ++i)
+        if (packets[p].shadow == shadow && (packets[p].valid >> i & 1u) != 0) rays.push_back({p, i});
+    std::ranges::shuffle(rays, random);
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      const std::size_t to = k % kPacketSize, from = rays[k].lane;
+      const RayPacket& source = packets[rays[k].packet];
+      if (to == 0) result.push_back({.flags = source.flags, .shadow = shadow});
+      RayPacket& packet = result.back();
+      for (const auto member : {&RayPacket::org_x, &RayPacket::org_y, &RayPacket::org_z, &RayPacket::dir_x,
+                                &RayPacket::dir_y, &RayPacket::dir_z, &RayPacket::tnear, &RayPacket::tfar})
+        (packet.*member)[to] = (source.*member)[from];
+      packet.valid = static_cast<std::uint16_t>(packet.valid | 1u << to);
+    }
+  }
+  return result;
 }
 
 Traversal traverse(RTCScene scene, std::span<const RayPacket> packets) {

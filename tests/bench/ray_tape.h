@@ -18,7 +18,7 @@ inline constexpr std::size_t kPacketSize = 16;
 /// Rays as they were handed to Embree in one call.
 struct RayPacket {
   using Lanes = std::array<float, kPacketSize>;
-  Lanes org_x, org_y, org_z, dir_x, dir_y, dir_z, tnear, tfar;
+  Lanes org_x{}, org_y{}, org_z{}, dir_x{}, dir_y{}, dir_z{}, tnear{}, tfar{};
   std::uint32_t flags = 0;  ///< of the context: coherent or not
   std::uint16_t valid = 0;  ///< a bit a lane
   bool shadow = false;
@@ -41,6 +41,9 @@ class Recording {
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
 };
+
+/// The same rays in full packets without any order: nearest-hit rays, then shadow rays.
+std::vector<RayPacket> shuffled(std::span<const RayPacket> packets);
 
 /// What tracing packets again came to.
 struct Traversal {

@@ -2,7 +2,8 @@
 // and the packets in which Embree gets them), traces them again alone, and compares the times.
 //   replay SCENE [--emitter SPECTRUM] [--resolution WxH] [--spp N] [--wavelengths N] [--sampler NAME] …
 // Times are CPU seconds, medians of alternating rounds. `pure`: Embree's calls alone, on packets that are
-// ready; `Accel`: our class's, which packs rays and unpacks hits as well.
+// ready; `Accel`: our class's, which packs rays and unpacks hits as well; `shuffled`: Embree's on the same
+// rays in any order, which is what it takes for rays that have nothing in common.
 #include <tbb/combinable.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
@@ -135,7 +136,7 @@ double render_seconds(const Setting& setting) {
 
 /// A row of the table.
 struct Times {
-  std::vector<double> render, pure, accel, nearest, shadow, ratio;
+  std::vector<double> render, pure, accel, shuffled, nearest, shadow, ratio, shuffled_ratio;
 };
 
 void measure(const Setting& setting, const RayTape& tape, std::size_t threads) {
@@ -147,20 +148,25 @@ void measure(const Setting& setting, const RayTape& tape, std::size_t threads) {
   const std::span nearest(by_kind.begin(), by_kind.begin() + first_shadow);
   const std::span shadow(by_kind.begin() + first_shadow, by_kind.end());
 
+  const std::vector<RayPacket> out_of_order = shuffled(tape.packets);
+
   Times t;
   for (int round = 0; round < setting.request.rounds; ++round) {
     t.render.push_back(render_seconds(setting));
     t.pure.push_back(pure_seconds(tape, tape.packets));
     t.accel.push_back(accel_seconds(setting, tape.packets));
+    t.shuffled.push_back(pure_seconds(tape, out_of_order));
     t.nearest.push_back(pure_seconds(tape, nearest));
     t.shadow.push_back(pure_seconds(tape, shadow));
     t.ratio.push_back(t.render.back() / t.pure.back());
+    t.shuffled_ratio.push_back(t.render.back() / t.shuffled.back());
   }
   const double pure = median_of(t.pure);
-  std::printf("%7zu %9.3f %9.3f %9.3f %12.2f %12.2f %13.3f %13.3f\n", threads, median_of(t.render), pure,
-              median_of(t.accel), double(tape.rays) * 1e-6 / median_of(t.nearest),
+  std::printf("%7zu %9.3f %9.3f %9.3f %11.3f %12.2f %12.2f %14.3f %13.3f %18.3f\n", threads,
+              median_of(t.render), pure, median_of(t.accel), median_of(t.shuffled),
+              double(tape.rays) * 1e-6 / median_of(t.nearest),
               double(tape.shadow_rays) * 1e-6 / median_of(t.shadow), median_of(t.ratio),
-              median_of(t.accel) / pure);
+              median_of(t.accel) / pure, median_of(t.shuffled_ratio));
 }
 
 void run(const BenchRequest& request) {
@@ -169,8 +175,9 @@ void run(const BenchRequest& request) {
   const Setting setting{request, *scene, sampler};
   const RayTape tape = record(setting);
   check_answers(tape);
-  std::printf("%7s %9s %9s %9s %12s %12s %13s %13s\n", "threads", "render s", "pure s", "Accel s",
-              "M nearest/s", "M shadow/s", "render / pure", "Accel / pure");
+  std::printf("%7s %9s %9s %9s %11s %12s %12s %14s %13s %18s\n", "threads", "render s", "pure s", "Accel s",
+              "shuffled s", "M nearest/s", "M shadow/s", "render / pure", "Accel / pure",
+              "render / shuffled");
   const auto all = static_cast<std::size_t>(tbb::info::default_concurrency());
   measure(setting, tape, 1);
   if (all > 1) measure(setting, tape, all);

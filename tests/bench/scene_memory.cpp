@@ -1,5 +1,6 @@
 // What a scene must take at least: bytes of its geometry, of the textures its materials use, and of Embree's
-// structures (as Embree reports them, at their peak while building and afterwards), as JSON.
+// structures (as Embree reports them, with the pairs of triangles that a large scene's are made of; at their
+// peak while building and afterwards), as JSON.
 //   scene_memory SCENE
 #include <dlfcn.h>
 
@@ -16,6 +17,7 @@
 #include <set>
 
 #include "bench_scene.h"
+#include "core/quads.h"
 #include "core/texture.h"
 
 using namespace photopic;
@@ -64,6 +66,10 @@ constexpr Texture MaterialTextures::*kTextures[] = {&MaterialTextures::base_colo
                                                     &MaterialTextures::diffuse_transmission_color};
 static_assert(sizeof(MaterialTextures) < (std::size(kTextures) + 1) * sizeof(Texture), "one is not listed");
 
+std::size_t pair_bytes(Geometry geometry) {
+  return is_worth_pairing(geometry) ? bytes_of(Quads(geometry).quads) : 0;
+}
+
 /// Each image once.
 std::size_t texture_bytes(const Scene& scene) {
   std::set<const TextureImage*> images;
@@ -90,9 +96,10 @@ RTCDevice rtcNewDevice(const char* config) {
 int main(int count, char** words) {
   try {
     const auto scene = load_bench_scene(parse_bench_request(count, words));
+    const auto pairs = static_cast<std::ptrdiff_t>(pair_bytes(scene->scene.geometry));
     std::printf("{\"geometry\": %zu, \"textures\": %zu, \"bvh\": %td, \"bvh_peak\": %td}\n",
-                geometry_bytes(scene->scene.geometry), texture_bytes(scene->scene), embree_bytes.load(),
-                embree_peak.load());
+                geometry_bytes(scene->scene.geometry), texture_bytes(scene->scene), pairs + embree_bytes,
+                pairs + embree_peak);
     return EXIT_SUCCESS;
   } catch (const std::exception& problem) {
     std::fprintf(stderr, "scene_memory: %s\n", problem.what());

@@ -49,6 +49,13 @@ class Refused(CommandTest):
         self.assert_refused(["diff", "one.exr"], "IMAGE")
         self.assert_refused(["compare", self.scene, "--reference", "a.exr", "--reference-spp", "4"], "--reference")
 
+    def test_options_given_too_often_or_without_a_value(self):
+        for option in ["--spp", "--seed", "--json", "--camera"]:
+            self.assert_refused(self.render(option, "1", option, "2"), option + " is given ", "times; give it once")
+            self.assert_refused(["render", self.scene, "-o", "out.exr", option], option + ": its value is missing")
+        self.assert_refused(["optimize", "cie:A", "-o", "a.json", "-o", "b.json"], "--output is given 2 times")
+        self.assert_refused(["render", self.scene, "-o", "a.exr", "-o", "b.exr", "-o"], "--output: its value is missing")
+
     def test_values_out_of_range(self):
         for option, value in [
             ("--spp", "0"),

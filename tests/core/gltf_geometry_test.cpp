@@ -90,8 +90,9 @@ TEST_F(GltfGeometry, PrimitivesWithoutAttributesAreFilled) {
   EXPECT_EQ(g.colors[0], (Vec4f{1, 1, 1, 1}));
   EXPECT_EQ(g.colors[4], (Vec4f{0, 0.5f, 1, 1}));
   EXPECT_EQ(g.colors[5], (Vec4f{1, 0, 0.5f, 1}));  // limited to [0, 1]
-  ASSERT_EQ(scene.warnings.size(), 1u);
+  ASSERT_EQ(scene.warnings.size(), 2u);
   EXPECT_NE(scene.warnings[0].find("texture coordinates"), std::string::npos);
+  EXPECT_NE(scene.warnings[1].find("COLOR_0"), std::string::npos);
   EXPECT_EQ(g.shapes.size(), 1u);  // the same material
 }
 

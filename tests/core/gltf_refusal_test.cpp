@@ -168,9 +168,49 @@ TEST_F(GltfTest, OddButValidFilesLoadWithAWarning) {
   EXPECT_TRUE(load(points.str()).geometry.triangles.empty());
   EXPECT_EQ(load(points.str()).warnings.size(), 1u);
 
+  std::string text = SquareFile().str();
+  text.replace(text.find(R"("meshes": [)"), 11, R"("meshes": [{"primitives": []}, )");
+  text.replace(text.find(R"({"mesh": 0})"), 11, R"({"mesh": 0}, {"mesh": 1})");
+  text.replace(text.find(R"("nodes": [0])"), 12, R"("nodes": [0, 1])");
+  EXPECT_EQ(load(text).geometry.triangles.size(), 2u);
+  EXPECT_EQ(load(text).warnings, std::vector<std::string>{"meshes without primitives: 1"});
+
   SquareFile optional;
   optional.more = R"(, "extensionsUsed": ["XX_unheard_of", "XX_unheard_of", "KHR_materials_variants"])";
   EXPECT_EQ(load(optional.str()).warnings.size(), 1u);
+}
+
+/// What the specification forbids though all readers agree on what it means.
+TEST_F(GltfTest, ForbiddenButClearFilesLoadWithAWarning) {
+  const auto only_warning = [](const Scene& scene) {
+    EXPECT_EQ(scene.warnings.size(), 1u);
+    return scene.warnings.empty() ? std::string() : scene.warnings.front();
+  };
+  SquareFile twice;
+  twice.nodes =
+      R"([{"mesh": 0, "matrix": [2, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1], "scale": [3, 3, 3]}])";
+  const Scene stretched = load(twice.str());
+  EXPECT_NE(only_warning(stretched).find("the matrix counts: 1"), std::string::npos);
+  EXPECT_EQ(area_vector(stretched, 0), (Vec3f{0, 0, 2}));
+
+  SquareFile bright;
+  const int color = bright.add<float>({2, 0, 0, 1, 1, 1, 0.5f, 0.5f, 0.5f, 0, 0, 0}, 5126, "VEC3", 4);
+  bright.primitive.insert(bright.primitive.find("POSITION") - 1, fmt::format(R"("COLOR_0": {}, )", color));
+  const Scene clamped = load(bright.str());
+  EXPECT_NE(only_warning(clamped).find("COLOR_0"), std::string::npos);
+  EXPECT_EQ(clamped.geometry.colors.at(0).x, 1.0f);
+
+  SquareFile shorts;
+  const int corners =
+      shorts.add<std::int16_t>({0, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0}, 5122, "VEC3", 4);
+  shorts.views.insert(shorts.views.rfind('}'), R"(, "byteStride": 8)");
+  shorts.primitive = fmt::format(R"("attributes": {{"POSITION": {}}}, "indices": 1)", corners);
+  const Scene square = load(shorts.str());
+  EXPECT_NE(only_warning(square).find("KHR_mesh_quantization"), std::string::npos);
+  EXPECT_EQ(area_vector(square, 0), (Vec3f{0, 0, 1}));
+  shorts.more =
+      R"(, "extensionsUsed": ["KHR_mesh_quantization"], "extensionsRequired": ["KHR_mesh_quantization"])";
+  EXPECT_TRUE(load(shorts.str()).warnings.empty());
 }
 
 class SharedFiles : public GltfTest {

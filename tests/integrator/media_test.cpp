@@ -253,35 +253,38 @@ TEST(PathMedia, OrderIsByPriorityThenByEntering) {
   const std::vector<Surface> surfaces(materials.begin(), materials.end());
   constexpr std::uint32_t kGlass = 0, kWater = 1, kIce = 2, kWall = 3;
   PathMedia media;
+  const auto meet = [&](std::uint32_t material, bool from_inside) {
+    media.meet(surfaces, Boundary{material, from_inside});
+  };
   const auto pass = [&](std::uint32_t material, bool from_inside) {
-    media.meet(surfaces, material, from_inside);
-    media.cross(surfaces);
+    meet(material, from_inside);
+    media.cross();
   };
   pass(kWater, false);
   EXPECT_EQ(media.current(), 1);
   pass(kGlass, false);
   EXPECT_EQ(media.current(), 0);
-  media.meet(surfaces, kIce, false);
+  meet(kIce, false);
   EXPECT_TRUE(media.hidden());
-  media.cross(surfaces);
+  media.cross();
   EXPECT_EQ(media.current(), 0);
-  media.meet(surfaces, kWall, false);
+  meet(kWall, false);
   EXPECT_FALSE(media.hidden());
   EXPECT_EQ(media.on_side(false), 0);
-  media.meet(surfaces, kWater, true);
+  meet(kWater, true);
   EXPECT_TRUE(media.hidden());
-  media.meet(surfaces, kGlass, true);
+  meet(kGlass, true);
   EXPECT_FALSE(media.hidden());
   EXPECT_EQ(media.outside(), 2);
   EXPECT_EQ(media.on_side(true), 0);
   EXPECT_EQ(media.on_side(false), 2);
-  media.cross(surfaces);
+  media.cross();
   pass(kIce, true);
   EXPECT_EQ(media.current(), 1);
   pass(kWater, true);
   EXPECT_EQ(media.current(), PathMedia::kVacuum);
   // Never entered, it lay around all the same.
-  media.meet(surfaces, kWater, true);
+  meet(kWater, true);
   EXPECT_FALSE(media.hidden());
   EXPECT_EQ(media.current(), 1);
   EXPECT_FALSE(media.overflowed());

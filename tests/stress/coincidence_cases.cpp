@@ -31,6 +31,31 @@ SceneBuilder touching(const Material& material, double gap) {
   return b;
 }
 
+/// A furnace of 3 cd/m² with glasses of several kinds and sizes side by side, or each within the one before
+/// and flush with it on three sides; the second is there twice.
+SceneBuilder row(double gap, bool nested) {
+  SceneBuilder b;
+  b.box({-2, -2, -2}, {2, 2, 2}, b.lamp(ConstantSpectrum{1.0}, 3.0), true);
+  Material flint = solid_glass(1.7f, 0.0f);
+  flint.extensions.dispersion = glass_index("SF11");
+  const auto glass = [](float ior) { return solid_glass(ior, 0.0f); };
+  double x = -0.7, size = 0.4;
+  const auto place = [&](const Material& m) {
+    if (nested)
+      b.box({x, x, x}, {size, 0.4, size}, b.material(m));
+    else
+      b.box({x, -0.4, -size}, {x + 0.3, 0.4, size}, b.material(m));
+  };
+  for (const Material& m : {flint, glass(1.33f), glass(1.31f), glass(1.5f)}) {
+    place(m);
+    if (m.ior == 1.33f) place(m);
+    x += nested ? gap : 0.3 + gap;
+    size -= nested ? gap : 0.05;
+  }
+  b.camera({0.7, -1.8, 1.1}, {-0.1, 0, 0}, 40, 8, 8);
+  return b;
+}
+
 /// A stack of panes in a furnace.
 SceneBuilder stack(double gap) {
   SceneBuilder b;
@@ -86,14 +111,27 @@ void add_coincidence_cases(StressList& list) {
     list.add({"coincident", with_number("dark room beside a bright one, gap", gap),
               built(neighbours(gap, 1e6)), Dark{}, 60, 20});
   }
-  // Glass whose faces lie closer than rounding tells apart is not tried: a ray that starts beyond one has
-  // passed the other.
-  for (const double gap : list.steps({1e-5}, {3e-6, 1e-5, 1e-4, 1e-3}))
+  for (const double gap : list.steps({0, 1e-6, 1e-5}, {0, 1e-9, 1e-8, 1e-7, 3e-7, 5e-7, 8e-7, 1e-6, 1.2e-6,
+                                                       1.6e-6, 2e-6, 3e-6, 1e-5, 1e-4, 1e-3})) {
     for (const double roughness : {0.0, 0.4})
       list.add({"coincident",
                 with_number(with_number("touching boxes of glass of roughness", roughness) + ", gap", gap),
                 built(touching(solid_glass(1.5f, static_cast<float>(roughness)), gap)),
                 Luminance{3.0, roughness > 0 ? 2e-3 : 3e-4}, 60, 500});
+    for (const double turn : {0.0, 0.7}) {
+      const std::string name = turn > 0 ? ", turned, gap" : ", gap";
+      list.add({"coincident", with_number("flint, water, ice and crown in a row" + name, gap),
+                built(row(gap, false).turn({1, 2, 3}, turn)), Luminance{3.0, 3e-4}, 60, 500});
+      list.add({"coincident", with_number("shells of glass without room between" + name, gap),
+                built(row(gap, true).turn({1, 2, 3}, turn)), Luminance{3.0, 3e-4}, 60, 500});
+    }
+  }
+  for (const double size : list.steps({1e-4, 1e6}, {1e-4, 1e-2, 1, 1e2, 1e4, 1e6}))
+    list.add({"coincident", with_number("touching cubes of glass, times", size),
+              built(row(0, false).turn({1, 2, 3}, 0.7).place(size)), Luminance{3.0, 3e-4}, 60, 500});
+  for (const double x : list.steps({1e3}, {1e2, 1e3, 1e4}))
+    list.add({"coincident", with_number("touching cubes of glass at x", x),
+              built(row(0, false).turn({1, 2, 3}, 0.7).place(1, {x, -x, x})), Luminance{3.0, 1e-3}, 60, 500});
   for (const double h : list.steps({1e-1, 1e-5}, {1e-1, 1e-2, 1e-3, 1e-4, 3e-5, 1e-5}))
     list.add({"coincident", with_number("floor under a shining ceiling, gap", h), built(low_ceiling(h)),
               Luminance{2 * overhead(1 / h), 5e-4}, 2000, 2});

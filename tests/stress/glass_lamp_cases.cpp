@@ -12,6 +12,15 @@ SceneBuilder cast_lamp(double ior, double depth) {
   return b;
 }
 
+/// A block of glass, 1 m high, that stands on a lamp.
+SceneBuilder block_on_lamp(double gap) {
+  SceneBuilder b;
+  b.box({-5, -5, 0}, {5, 5, 1}, b.material(solid_glass(1.5f, 0.0f)));
+  b.floor({0, 0, -gap}, 4, 4, b.lamp(d65(), 5.0));
+  b.camera({0, 0, 2}, {0, 0, 0}, 0.05, 8, 8);
+  return b;
+}
+
 /// A lamp and a painted ball in a block of tinted glass.
 Scene filled_block(float roughness, double lamp_half) {
   SceneBuilder b;
@@ -38,6 +47,12 @@ void add_glass_lamp_cases(StressList& list) {
       list.add({"lamps in glass", with_number(with_number("index", ior) + ", below the face by", depth),
                 built(cast_lamp(ior, depth)), Luminance{5 * (1 - f) / (ior * ior), 1e-3}, 500, 8});
     }
+  // One that touches is as if cast in; one beyond a gap shines through two faces, whose reflections add up.
+  const double f = fresnel(1.0, 1.5);
+  for (const double gap : list.steps({0, 1e-3}, {0, 1e-9, 1e-7, 1e-5, 1e-3}))
+    list.add({"lamps in glass", with_number("glass on a lamp, gap", gap), built(block_on_lamp(gap)),
+              Luminance{gap < 1e-6 ? 5 * (1 - f) / 2.25 : 5 * (1 - f) / (1 + f), 1e-3}, 1000, 30});
+  list.add({"lamps in glass", "flush with the face", built(cast_lamp(1.5, 0)), Luminance{5}, 10, 8});
   const bool full = list.form() == Form::full;
   for (const float roughness : {0.0f, 0.5f}) {
     const auto oracle = std::make_shared<Reference>("as the oracle sees it", [=] {

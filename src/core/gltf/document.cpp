@@ -75,6 +75,17 @@ std::vector<std::filesystem::path> named_files(const GltfDocument& document, con
   return files;
 }
 
+/// Nodes that give their place in two ways, which they must not (glTF 2.0, section 3.5.3). Other readers take
+/// the matrix, as tinygltf does.
+std::size_t count_double_transforms(const Json& json) {
+  if (!json.contains("nodes")) return 0;
+  const auto is_double = [](const Json& node) {
+    return node.contains("matrix") &&
+           (node.contains("translation") || node.contains("rotation") || node.contains("scale"));
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(json.at("nodes"), is_double));
+}
+
 /// Whole numbers that tinygltf would cut to 32 bits, as it does in extensions and extras, become fractions.
 void widen_integers(Json& value, bool cut = false) {
   constexpr double kMaxInt = std::numeric_limits<int>::max();
@@ -125,6 +136,7 @@ GltfDocument read_gltf_document(std::vector<char> bytes, const std::filesystem::
   document.images = list_images(json);
   document.named_files = named_files(document, json);
   if (json.contains("animations")) document.animation_count = json.at("animations").size();
+  document.double_transforms = count_double_transforms(json);
   document.file.json = {};
   if (document.file.bin.empty())
     document.file.bytes = {};  // text alone, which may hold all buffers in base64

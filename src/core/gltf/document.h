@@ -35,6 +35,7 @@ struct GltfDocument {
       named_files;  ///< by buffers, images and extras' spectra; some may not exist
 
   std::size_t animation_count = 0;
+  std::size_t double_transforms = 0;  ///< nodes with a matrix, which `model` has, beside other members
 
   std::vector<GltfImage> images;
 

@@ -214,7 +214,10 @@ class GeometryLoader {
       const bool wanted = scene_.materials.at(part.material).uv_sets >> set & 1;
       if (uvs.empty() && wanted) ++plan_.tally.no_coordinates;
     }
-    if (plan_.colors) copy(read_colors(document_, part.primitive), geometry_.colors);
+    if (!plan_.colors) return;
+    bool limited = false;
+    copy(read_colors(document_, part.primitive, limited), geometry_.colors);
+    if (limited) ++plan_.tally.bright_colors;
   }
 
   /// Neighbours of the same material become one shape.

@@ -17,7 +17,7 @@ constexpr double kMinScale = 1e-4, kMaxScale = 1e6, kMaxGain = 100.0;
 struct MeshParts {
   bool known = false;
   std::vector<Part> solid, emissive;
-  std::size_t not_triangles = 0, no_positions = 0;
+  std::size_t not_triangles = 0, no_positions = 0, quantized = 0;
   std::size_t triangles = 0;  ///< of the solid parts
   std::size_t shareable = 0;  ///< places that might be instances
   std::uint32_t prototype = kNoPlace;
@@ -31,10 +31,26 @@ bool is_emissive(const GltfDocument& document, int material, const std::vector<M
                              [](double c) { return c > 0; });
 }
 
+/// glTF 2.0, section 3.7.2.1, has positions and directions as floats, texture coordinates as floats or
+/// normalised unsigned integers.
+bool is_quantized(const GltfDocument& document, const tinygltf::Primitive& primitive) {
+  return std::ranges::any_of(primitive.attributes, [&](const auto& attribute) {
+    const auto& [name, index] = attribute;
+    const tinygltf::Accessor& accessor = document.model.accessors[index];
+    const int type = accessor.componentType;
+    if (type == TINYGLTF_COMPONENT_TYPE_FLOAT) return false;
+    if (name.starts_with("TEXCOORD_"))
+      return !accessor.normalized || type == TINYGLTF_COMPONENT_TYPE_BYTE ||
+             type == TINYGLTF_COMPONENT_TYPE_SHORT;
+    return name == "POSITION" || name == "NORMAL" || name == "TANGENT";
+  });
+}
+
 void find_parts(const GltfDocument& document, std::uint32_t mesh, const std::vector<Material>& materials,
                 MeshParts& found) {
   const auto& primitives = document.model.meshes[mesh].primitives;
   found.known = true;
+  const bool may_quantize = std::ranges::count(document.model.extensionsUsed, "KHR_mesh_quantization") > 0;
   for (std::uint32_t i = 0; i < primitives.size(); ++i) {
     const tinygltf::Primitive& primitive = primitives[i];
     if (!draws_triangles(primitive)) {
@@ -48,6 +64,7 @@ void find_parts(const GltfDocument& document, std::uint32_t mesh, const std::vec
       (emissive ? found.emissive : found.solid)
           .push_back({kNoPlace, {mesh, i}, static_cast<std::uint32_t>(material)});
       if (!emissive) found.triangles += triangle_count(document, primitive);
+      if (!may_quantize && is_quantized(document, primitive)) ++found.quantized;
     }
   }
 }
@@ -86,12 +103,15 @@ void GeometryTally::report(std::vector<std::string>& warnings) const {
     if (count > 0) warnings.push_back(fmt::format("{}: {}", text, count));
   };
   add(not_triangles, "primitives of points or lines, not rendered");
+  add(empty, "meshes without primitives");
   add(no_positions, "primitives without POSITION, not rendered");
   add(degenerate, "triangles of zero area, dropped");
   add(left_over, "primitives whose last vertices make no whole triangle, dropped");
   add(flattened, "meshes flattened by a scale of zero");
   add(zero_normals, "vertices with a normal of zero length, shaded flat");
   add(no_coordinates, "primitives without the texture coordinates of their material, taken as 0");
+  add(quantized, "primitives with integers where the file would have to use KHR_mesh_quantization");
+  add(bright_colors, "primitives whose COLOR_0 leaves [0, 1], limited to that");
   add(morphed, "meshes with morph targets, shown at their default weights");
   add(skinned, "skinned meshes, shown in their rest pose");
 }
@@ -135,6 +155,8 @@ GeometryPlan plan_gltf_geometry(const GltfDocument& document, const std::vector<
       bake(mesh.solid);
     plan.tally.not_triangles += mesh.not_triangles;
     plan.tally.no_positions += mesh.no_positions;
+    plan.tally.quantized += mesh.quantized;
+    plan.tally.empty += document.model.meshes[static_cast<std::size_t>(node.mesh)].primitives.empty();
     plan.tally.skinned += node.skin >= 0;
     plan.tally.flattened += place.to_world.determinant() == 0 && node.skin < 0;
   }

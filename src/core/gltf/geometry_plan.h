@@ -13,7 +13,8 @@ namespace photopic {
 /// What was mended or left out, counted for one warning each.
 struct GeometryTally {
   std::size_t not_triangles = 0, no_positions = 0, degenerate = 0, left_over = 0, flattened = 0,
-              zero_normals = 0, no_coordinates = 0, morphed = 0, skinned = 0;
+              zero_normals = 0, no_coordinates = 0, morphed = 0, skinned = 0, empty = 0, quantized = 0,
+              bright_colors = 0;
 
   void report(std::vector<std::string>& warnings) const;
 };

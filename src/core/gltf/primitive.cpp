@@ -87,7 +87,7 @@ std::vector<T> read_attribute(const GltfDocument& document, const PrimitiveRef& 
 template std::vector<Vec2f> read_attribute<Vec2f>(const GltfDocument&, const PrimitiveRef&, const char*);
 template std::vector<Vec4f> read_attribute<Vec4f>(const GltfDocument&, const PrimitiveRef&, const char*);
 
-std::vector<Vec4f> read_colors(const GltfDocument& document, const PrimitiveRef& ref) {
+std::vector<Vec4f> read_colors(const GltfDocument& document, const PrimitiveRef& ref, bool& limited) {
   const auto& attributes = ref.in(document).attributes;
   const auto found = attributes.find("COLOR_0");
   if (found == attributes.end()) return {};
@@ -103,7 +103,11 @@ std::vector<Vec4f> read_colors(const GltfDocument& document, const PrimitiveRef&
     colors = read_attribute<Vec4f>(document, ref, "COLOR_0");
   }
   for (Vec4f& c : colors)
-    for (float* component : {&c.x, &c.y, &c.z, &c.w}) *component = std::clamp(*component, 0.0f, 1.0f);
+    for (float* component : {&c.x, &c.y, &c.z, &c.w}) {
+      const float inside = std::clamp(*component, 0.0f, 1.0f);
+      limited |= inside != *component;
+      *component = inside;
+    }
   return colors;
 }
 

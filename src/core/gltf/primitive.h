@@ -62,7 +62,8 @@ template <typename T>
 std::vector<T> read_attribute(const GltfDocument& document, const PrimitiveRef& ref, const char* name);
 
 /// COLOR_0 as linear RGBA, limited to [0, 1] (glTF 2.0, section 3.7.2.1); empty where there is none.
-std::vector<Vec4f> read_colors(const GltfDocument& document, const PrimitiveRef& ref);
+/// @param limited becomes true where that changed a value
+std::vector<Vec4f> read_colors(const GltfDocument& document, const PrimitiveRef& ref, bool& limited);
 
 /// POSITION, NORMAL or (T = Vec4f, whose w stays) TANGENT with the morph targets' displacements by their
 /// default weights: the node's, else the mesh's, else 0 (glTF 2.0, section 3.7.2.2).

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "core/lights/spherical_polygon.h"
+#include "core/lights/area_sampling.h"
 #include "core/surface_point.h"
 
 namespace photopic {
@@ -97,56 +97,24 @@ std::optional<AreaLight> make_light(const Outline& outline, bool whole, float er
                    .double_sided = double_sided};
 }
 
-SphericalPolygon seen_from(Vec3f from, const AreaLight& light, float height) {
-  const Vec3f a = light.vertex - from, b = a + light.edge1, c = a + light.edge2;
-  if (light.parallelogram) return {{a, b, b + light.edge2, c}, 4, std::abs(height) * light.area};
-  return {{a, b, c, c}, 3, 2.0f * std::abs(height) * light.area};
-}
-
-bool is_by_area(Vec3f from, const AreaLight& light, float height) {
-  const Vec3f to_middle = light.middle() - from;
-  const float extent2 = light.extent2();
-  return dot(to_middle, to_middle) > AreaLight::kFar2 * extent2 ||
-         height * height < AreaLight::kTouching2 * extent2 || std::abs(height) < light.rounding(from);
-}
-
 }  // namespace
 
 std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
-  const float h = height(from);
-  if (h == 0.0f || (h > 0.0f && !double_sided)) return {};
+  const AreaSample<float> point = sample_area_light(*this, from, u);
+  if (!point.reached) return {};
   LightSample s{};
-  int half;  // of a parallelogram: 0 on edge1
-  if (is_by_area(from, *this, h)) {
-    const Sample2d b = parallelogram ? u : sample_triangle(u);
-    const Vec3f to_point = vertex - from + edge1 * b.x + edge2 * b.y;
-    const float distance2 = dot(to_point, to_point);
-    s.distance = std::sqrt(distance2);
-    s.direction = to_point * (1.0f / s.distance);
-    s.pdf = distance2 * s.distance / (std::abs(h) * area);
-    half = b.x > b.y ? 0 : 1;
-  } else {
-    const SphericalPolygon polygon = seen_from(from, *this, h);
-    const SphericalPolygon::Sample way = polygon.sample(u);
-    const float cosine = dot(normal, way.direction);
-    if (!(cosine * h > 0.0f) || !(polygon.solid_angle() > 0.0f)) return {};
-    s.distance = h / cosine;
-    s.direction = way.direction;
-    s.pdf = 1.0f / polygon.solid_angle();
-    half = way.part;
-  }
-  const float away = rounding(from);
-  s.end = from + s.direction * s.distance + normal * (h < 0.0f ? away : -away);
+  s.direction = point.direction, s.end = point.end;
+  s.distance = point.distance, s.pdf = point.pdf;
   s.material = material;
-  s.triangle = triangle + (parallelogram && half == 0 ? 1u : 0u);
+  s.triangle = triangle + (parallelogram && point.in_first ? 1u : 0u);
   return s;
 }
 
 float AreaLight::pdf(Vec3f from, float distance) const {
-  const float h = height(from);
-  if (h == 0.0f) return 0.0f;
-  if (is_by_area(from, *this, h)) return distance * distance * distance / (std::abs(h) * area);
-  const float solid_angle = seen_from(from, *this, h).solid_angle();
+  const LightView<float> view(*this, from);
+  if (view.height == 0.0f) return 0.0f;
+  if (!view.looms(*this)) return view.pdf_by_area(*this, distance);
+  const float solid_angle = view.outline(*this).solid_angle();
   return solid_angle > 0.0f ? 1.0f / solid_angle : 0.0f;
 }
 

@@ -25,27 +25,6 @@ struct alignas(64) AreaLight {
   bool parallelogram : 1;  ///< else a triangle; the half on edge1 is then the second triangle
   bool double_sided : 1;
 
-  Vec3f middle() const { return vertex + (edge1 + edge2) * (parallelogram ? 0.5f : 1.0f / 3.0f); }
-
-  /// Squared distance of the middle, in extents, beyond which solid angle and area are sampled alike.
-  static constexpr float kFar2 = 1.0f;
-  /// Squared height above the plane, likewise, below which the solid angle is lost in rounding; as it is
-  /// where the height itself may be nothing but rounding.
-  static constexpr float kTouching2 = 1e-11f;
-
-  /// How far the plane lies in front of a point, along the normal: negative in front of the light [m].
-  float height(Vec3f from) const { return dot(normal, vertex - from); }
-
-  /// Squared, of its longer edge [m²].
-  float extent2() const { return std::max(dot(edge1, edge1), dot(edge2, edge2)); }
-
-  /// Bound on what rounding does to that height, and to a ray from there to the light [m]: it grows with the
-  /// coordinates of either.
-  template <typename T>
-  T rounding(Vec3<T> from) const {
-    return max(T{} + error, kPositionError * max_abs(from));
-  }
-
   /// Nothing where it cannot be seen from. What it emits is for the caller to fill in.
   std::optional<LightSample> sample(Vec3f from, Sample2d u) const;
 

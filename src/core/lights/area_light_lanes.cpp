@@ -1,5 +1,10 @@
 #include "core/lights/area_light_lanes.h"
 
+#include <cstddef>
+#include <cstring>
+
+#include "core/lights/area_sampling.h"
+
 namespace photopic {
 
 AreaLightLanes::AreaLightLanes(const AreaLight& light)
@@ -15,41 +20,32 @@ AreaLightLanes::AreaLightLanes(const AreaLight& light)
       double_sided(IntLanes{} - (light.double_sided ? 1 : 0)) {}
 
 AreaLightLanes::AreaLightLanes(const std::array<const AreaLight*, kLanes>& lights) {
+  // A light is a line of sixteen numbers.
+  LaneMatrix lines;
+  static_assert(sizeof(AreaLight) == sizeof(Lanes) && offsetof(AreaLight, triangle) == 14 * sizeof(float));
+  for (std::size_t i = 0; i < kLanes; ++i) std::memcpy(&lines[i], lights[i], sizeof(Lanes));
+  const LaneMatrix number = transpose(lines);
+  vertex = {number[0], number[1], number[2]};
+  edge1 = {number[3], number[4], number[5]};
+  edge2 = {number[6], number[7], number[8]};
+  normal = {number[9], number[10], number[11]};
+  area = number[12], error = number[13];
+  triangle = reinterpret_cast<UintLanes>(number[14]);
   for (int i = 0; i < kLanes; ++i) {
     const AreaLight& light = *lights[static_cast<std::size_t>(i)];
-    set_lane(vertex, i, light.vertex);
-    set_lane(edge1, i, light.edge1);
-    set_lane(edge2, i, light.edge2);
-    set_lane(normal, i, light.normal);
-    area[i] = light.area, error[i] = light.error;
-    triangle[i] = light.triangle, material[i] = light.material;
+    material[i] = light.material;
     parallelogram[i] = light.parallelogram ? -1 : 0, double_sided[i] = light.double_sided ? -1 : 0;
   }
 }
 
-IntLanes AreaLightLanes::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& s) const {
-  const Vec3Lanes to_vertex = vertex - from;
-  const Lanes h = dot(normal, to_vertex);
-  s.reached = (h < 0.0f) | (double_sided & (h > 0.0f));
-
-  const Sample2dLanes folded = sample_triangle(u);
-  const Sample2dLanes b{select(parallelogram, u.x, folded.x), select(parallelogram, u.y, folded.y)};
-  const Vec3Lanes to_point = to_vertex + edge1 * b.x + edge2 * b.y;
-  const Lanes distance2 = dot(to_point, to_point);
-  s.distance = sqrt(distance2);
-  s.direction = to_point * (1.0f / s.distance);
-  s.pdf = distance2 * s.distance / (abs(h) * area);
-  const Lanes away = max(error, kPositionError * max_abs(from));  // AreaLight::rounding
-  s.end = from + to_point + normal * select(h < 0.0f, away, -away);
+void AreaLightLanes::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& s) const {
+  const AreaSample<Lanes> point = sample_area_light(*this, from, u);
+  s.reached = point.reached;
+  s.direction = point.direction, s.end = point.end;
+  s.distance = point.distance, s.pdf = point.pdf;
   s.delta = s.environment = IntLanes{};
   s.material = material;
-  s.triangle = triangle + (reinterpret_cast<UintLanes>(parallelogram & (b.x > b.y)) & 1u);
-
-  const Lanes middle = select(parallelogram, Lanes{} + 0.5f, Lanes{} + 1.0f / 3.0f);
-  const Vec3Lanes to_middle = to_vertex + (edge1 + edge2) * middle;
-  const Lanes extent2 = max(dot(edge1, edge1), dot(edge2, edge2));
-  return s.reached & (dot(to_middle, to_middle) <= AreaLight::kFar2 * extent2) &
-         (h * h >= AreaLight::kTouching2 * extent2) & (abs(h) >= away);
+  s.triangle = triangle + (reinterpret_cast<UintLanes>(parallelogram & point.in_first) & 1u);
 }
 
 }  // namespace photopic

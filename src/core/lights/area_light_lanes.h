@@ -12,9 +12,8 @@ struct AreaLightLanes {
   explicit AreaLightLanes(const AreaLight& in_all);
   explicit AreaLightLanes(const std::array<const AreaLight*, kLanes>& lights);
 
-  /// AreaLight::sample where it samples by area.
-  /// @return mask: where the light looms so large, or lies so close, that AreaLight::sample is asked instead
-  IntLanes sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const;
+  /// AreaLight::sample of each.
+  void sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const;
 
   Vec3Lanes vertex, edge1, edge2, normal;
   Lanes area, error;

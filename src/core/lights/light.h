@@ -6,11 +6,13 @@
 
 namespace photopic {
 
-/// A point that light is gathered at.
-struct LightReference {
-  Vec3f position;
-  Vec3f normal;  ///< unit: light arrives from its side alone; zero: from all around
+/// A point that light is gathered at, or one in each lane.
+template <typename T>
+struct BasicLightReference {
+  Vec3<T> position;
+  Vec3<T> normal;  ///< unit: light arrives from its side alone; zero: from all around
 };
+using LightReference = BasicLightReference<float>;
 
 inline constexpr std::uint32_t kNoMaterial = ~0u;
 

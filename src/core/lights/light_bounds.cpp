@@ -34,6 +34,7 @@ struct Cone {
 Cone unite_cones(Cone a, Cone b) {
   if (a.cos_angle > b.cos_angle) std::swap(a, b);
   if (a.cos_angle == -1.0f) return a;
+  if (b.cos_angle == 1.0f && dot(a.axis, b.axis) >= a.cos_angle) return a;  // without arccosines
   const float angle_a = clamped_acos(a.cos_angle), angle_b = clamped_acos(b.cos_angle);
   const float between = clamped_acos(dot(a.axis, b.axis));
   if (between + angle_b <= angle_a) return a;

@@ -42,9 +42,10 @@ class LightSampler {
   /// The same for several points at once.
   void sample(const LightReferenceLanes& at, LightSampleLanes& samples) const;
 
-  /// The same where one lamp is all there is: it wants neither normals nor a choice. @return whether that is
-  /// so
-  bool sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const;
+  /// Whether one area light is all there is.
+  bool has_only_light() const { return only_area_light_.has_value(); }
+  /// The same of it: it wants neither normals nor a choice.
+  void sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const;
 
   /// The density with which sample() gives a direction that ends at a glowing triangle [1/sr].
   /// @param distance to the hit [m]

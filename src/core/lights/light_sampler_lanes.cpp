@@ -5,32 +5,29 @@ namespace photopic {
 
 LightSampler::Picks LightSampler::pick_lights(const LightReferenceLanes& at) const {
   Picks picks;
-  std::array<LightTree::Descent, kLanes> descents;
-  std::array<std::size_t, kLanes> under_way;
-  std::size_t count = 0;
-  for (int i = 0; i < at.count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+  std::array<double, kLanes> u{};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(at.count); ++k) {
     picks[k] = pick(at.spectra[k], at.u_choice[k]);
-    if (!picks[k].tree) continue;
-    descents[k] = LightTree::Descent(*picks[k].tree, at[i], picks[k].u);
-    under_way[count++] = k;
+    u[k] = picks[k].u;
   }
 
-  // Down the trees in turns. What is chosen is soon wanted.
-  while (count > 0) {
-    std::size_t still = 0;
-    for (std::size_t j = 0; j < count; ++j) {
-      const std::size_t k = under_way[j];
-      if (descents[k].step()) {
-        under_way[still++] = k;
-        continue;
-      }
-      picks[k].take(descents[k].choice());
-      if (picks[k].light < area_lights_.list().size())
-        __builtin_prefetch(&area_lights_.list()[picks[k].light]);
-    }
-    count = still;
+  // Down the trees, one after the other.
+  for (const Group& group : groups_) {
+    if (group.tree.empty()) continue;
+    std::array<std::uint32_t, kLanes> lanes;
+    std::size_t count = 0;
+    for (std::uint32_t k = 0; k < kLanes; ++k)
+      if (picks[k].tree == &group.tree) lanes[count++] = k;
+    if (count == 0) continue;
+    const std::span<const std::uint32_t> wanted(lanes.data(), count);
+    LightTree::Choices choices;
+    group.tree.choose({at.position, at.normal}, u, wanted, choices);
+    for (const std::uint32_t k : wanted) picks[k].take(choices[k]);
   }
+
+  // What is chosen is soon wanted.
+  for (const Pick& pick : picks)
+    if (pick.light < area_lights_.list().size()) __builtin_prefetch(&area_lights_.list()[pick.light]);
   return picks;
 }
 
@@ -42,41 +39,33 @@ void LightSampler::fill_emission(const AreaLight& light, int lane, LightSampleLa
 void LightSampler::sample(const LightReferenceLanes& at, LightSampleLanes& s) const {
   const Picks picks = pick_lights(at);
 
-  // Area lights all at once, the others and those that loom large one by one.
+  // Area lights all at once, the others one by one.
   const std::vector<AreaLight>& list = area_lights_.list();
-  IntLanes alone = IntLanes{} - 1;
+  IntLanes other = IntLanes{} - 1;
   if (!list.empty()) {
     std::array<const AreaLight*, kLanes> lights;
     lights.fill(&list[0]);
-    IntLanes other{};
     for (int i = 0; i < at.count; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      if (picks[k].light < list.size())
-        lights[k] = &list[picks[k].light];
-      else
-        other[i] = -1;
+      if (picks[k].light < list.size()) lights[k] = &list[picks[k].light], other[i] = 0;
     }
-    alone = AreaLightLanes(lights).sample(at.position, at.u, s) | other;
+    AreaLightLanes(lights).sample(at.position, at.u, s);
     for (int i = 0; i < at.count; ++i) fill_emission(*lights[static_cast<std::size_t>(i)], i, s);
   }
   for (int i = 0; i < at.count; ++i) {
     const Pick& chosen = picks[static_cast<std::size_t>(i)];
-    if (alone[i])
+    if (other[i])
       s.set(i, chosen.light == kNoLight ? std::nullopt
                                         : sample_light(chosen.light, lane(at.position, i), lane(at.u, i)));
     s.pdf[i] *= chosen.probability;
   }
 }
 
-bool LightSampler::sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u,
+void LightSampler::sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u,
                                      LightSampleLanes& s) const {
-  if (!only_area_light_) return false;
   const AreaLight& light = area_lights_.list()[*only_area_light_];
-  const IntLanes alone = AreaLightLanes(light).sample(from, u, s);
+  AreaLightLanes(light).sample(from, u, s);
   for (int i = 0; i < kLanes; ++i) fill_emission(light, i, s);
-  for (int i = 0; i < kLanes; ++i)
-    if (alone[i]) s.set(i, sample_light(*only_area_light_, lane(from, i), lane(u, i)));
-  return true;
 }
 
 }  // namespace photopic

@@ -11,47 +11,19 @@ namespace {
 constexpr float kNarrowCone = 0.9f;
 constexpr float kSmall2 = 0.06f;
 
-/// Squared distance [m²] that keeps importances finite.
-constexpr float kLeastDistance2 = 1e-30f;
-
-/// The largest number below x > 0 that 24 bits tell from it.
-float just_below(float x) {
-  return x * (1.0f - 0x1p-24f);
-}
-
 }  // namespace
 
-/// What may arrive from each at most, roughly: power / distance² × the cosines at both ends, each at its most
-/// favourable within the sphere about the box. Where the sphere lies below the surface's plane, nothing.
-Lanes LightTree::Node::importance(const LightReference& at) const {
-  constexpr Lanes kZero{}, kOne = kZero + 1.0f;
-  // Within the sphere its radius is the distance.
-  const Lanes dx = x - at.position.x, dy = y - at.position.y, dz = z - at.position.z;
-  const Lanes to_middle2 = dx * dx + dy * dy + dz * dz, radius2 = radius * radius;
-  const IntLanes inside = to_middle2 <= radius2;
-  const Lanes inverse = 1.0f / sqrt(max(max(to_middle2, radius2), kZero + kLeastDistance2));
-  const Lanes sin_b = radius * inverse;  // half the angle that the sphere subtends
-
-  const Vec3f n = at.normal;
-  const Lanes height = (n.x * dx + n.y * dy + n.z * dz) * inverse + sin_b + (n == Vec3f{} ? 1.0f : 0.0f);
-  const Lanes cos_surface = max(min(height, kOne), kZero);
-
-  // At the light: the angle to the axis, less the cone's and the sphere's.
-  const Lanes along = -(axis_x * dx + axis_y * dy + axis_z * dz) * inverse;
-  const Lanes cos_w = max(along, along * other_side), sin_w = sqrt(max(1.0f - cos_w * cos_w, kZero));
-  const IntLanes in_cone = cos_w >= cos_o;
-  const Lanes cos_x = select(in_cone, kOne, cos_w * cos_o + sin_w * sin_o);
-  const Lanes sin_x = select(in_cone, kZero, sin_w * cos_o - cos_w * sin_o);
-  const Lanes cos_b = sqrt(max(1.0f - sin_b * sin_b, kZero));
-  const Lanes cos_light = select(inside | (cos_x >= cos_b), kOne, cos_x * cos_b + sin_x * sin_b);
-  const Lanes shines = select(cos_light > cos_e, max(cos_light, kZero), kZero);
-  return power * cos_surface * shines * (inverse * inverse);
+LightBranch<float> LightTree::Node::branch(std::uint32_t i) const {
+  const auto& b = branches;
+  const auto k = static_cast<int>(i);
+  return {b.power[i], lane(b.middle, k), b.radius[i], lane(b.axis, k),
+          b.cos_o[i], b.sin_o[i],        b.cos_e[i],  b.other_side[i]};
 }
 
 /// Whether a branch's lights are seen so alike that their power alone may choose among them.
 bool LightTree::Node::seen_alike(std::uint32_t i, Vec3f from) const {
-  const Vec3f to_middle = Vec3f{x[i], y[i], z[i]} - from;
-  return cos_o[i] > kNarrowCone && sqr(radius[i]) < kSmall2 * dot(to_middle, to_middle);
+  const Vec3f to_middle = lane(branches.middle, static_cast<int>(i)) - from;
+  return cluster[i] != kNoCluster && sqr(branches.radius[i]) < kSmall2 * dot(to_middle, to_middle);
 }
 
 /// Fills nodes from clusters of lights; a stack instead of recursion, for lists as long as they like.
@@ -62,8 +34,9 @@ struct LightTree::Build {
   /// Opens the costliest until the node is full, but below the root none that fills a node of its own: full
   /// nodes are few nodes.
   std::vector<LightCluster> branches(const LightCluster& all, bool root) const {
+    if (all.members.size() <= kWidth) return singles(all.members);
     std::vector<LightCluster> list{all};
-    const std::size_t whole = root || all.members.size() <= kWidth ? 1 : kWidth;
+    const std::size_t whole = root ? 1 : kWidth;
     const auto cost = [whole](const LightCluster& c) { return c.members.size() > whole ? c.cost : -1.0; };
     while (list.size() < kWidth) {
       const auto costliest =
@@ -77,41 +50,65 @@ struct LightTree::Build {
     return list;
   }
 
-  void fill(Node& n, std::uint32_t i, const LightBounds& b) const {
-    const Vec3f middle = b.middle();
-    n.x[i] = middle.x, n.y[i] = middle.y, n.z[i] = middle.z;
+  std::vector<LightCluster> singles(std::span<std::uint32_t> members) const {
+    std::vector<LightCluster> list;
+    for (std::size_t i = 0; i < members.size(); ++i) list.emplace_back(lights, members.subspan(i, 1));
+    return list;
+  }
+
+  double power(std::span<const std::uint32_t> members) const {
+    double sum = 0.0;
+    for (const std::uint32_t i : members) sum += double{lights[i].power};
+    return sum;
+  }
+
+  void fill(Node& node, std::uint32_t i, const LightCluster& cluster) const {
+    const LightBounds& b = cluster.bounds;
+    LightBranch<Lanes>& n = node.branches;
+    set_lane(n.middle, static_cast<int>(i), b.middle());
     n.radius[i] = length((b.high - b.low) * 0.5f);
-    n.axis_x[i] = b.axis.x, n.axis_y[i] = b.axis.y, n.axis_z[i] = b.axis.z;
+    set_lane(n.axis, static_cast<int>(i), b.axis);
     n.cos_o[i] = b.cos_o, n.sin_o[i] = safe_sqrt(1.0f - sqr(b.cos_o)), n.cos_e[i] = b.cos_e;
-    n.power[i] = static_cast<float>(b.power / total_power);
+    n.power[i] = static_cast<float>(power(cluster.members) / total_power);
     n.other_side[i] = b.two_sided ? -1.0f : 1.0f;
+  }
+
+  AliasTable table(std::span<const std::uint32_t> members) const {
+    std::vector<double> weights;
+    for (const std::uint32_t i : members) weights.push_back(double{lights[i].power});
+    return AliasTable(weights);
   }
 };
 
 LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std::uint32_t> names)
     : nodes_(1), place_of_node_{kRoot}, place_of_light_(lights.size()) {
-  Build build{lights, 0.0};
-  for (const LightBounds& light : lights) build.total_power += double{light.power};
   std::vector<std::uint32_t> order(lights.size());
   std::iota(order.begin(), order.end(), 0u);
+  Build build{lights, 0.0};
+  build.total_power = build.power(order);
+  const auto name_of = [&](std::uint32_t light) { return names.empty() ? light : names[light]; };
 
   struct Pending {
     std::uint32_t node;
     LightCluster cluster;
   };
   std::vector<Pending> pending{{0, LightCluster(lights, order)}};
+  std::vector<std::span<const std::uint32_t>> alike;
   while (!pending.empty()) {
     const auto [node, cluster] = pending.back();
     pending.pop_back();
     std::uint32_t lane = 0;
     for (const LightCluster& branch : build.branches(cluster, node == 0)) {
       const Place place = node * kWidth + lane;
-      build.fill(nodes_[node], lane, branch.bounds);
+      build.fill(nodes_[node], lane, branch);
       if (branch.members.size() == 1) {
-        nodes_[node].child[lane] =
-            ~static_cast<std::int32_t>(names.empty() ? branch.members[0] : names[branch.members[0]]);
+        nodes_[node].child[lane] = ~static_cast<std::int32_t>(name_of(branch.members[0]));
         place_of_light_[branch.members[0]] = place;
       } else {
+        if (branch.bounds.cos_o > kNarrowCone) {
+          nodes_[node].cluster[lane] = static_cast<std::uint32_t>(alike.size());
+          alike.push_back(branch.members);
+        }
         const auto child = static_cast<std::uint32_t>(nodes_.size());
         nodes_[node].child[lane] = static_cast<std::int32_t>(child);
         nodes_.emplace_back();
@@ -121,61 +118,26 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
       ++lane;
     }
   }
-}
 
-bool LightTree::Descent::step() {
-  const Node& n = nodes_[node_];
-  const Lanes weight = by_power_ ? n.power : n.importance(at_);
-  Lanes up_to;
-  float total = 0.0f;
-  for (std::uint32_t i = 0; i < kWidth; ++i) up_to[i] = total += weight[i];
-  if (!(total > 0.0f)) {
-    choice_ = {kNoLight, 0.0f};
-    return false;
-  }
-
-  // The first whose sum lies above: sums never fall, so that it has a weight.
-  const double target = u_ * double{total};
-  const float rounded = std::min(static_cast<float>(target), just_below(total));
-  std::uint32_t lane = 0;
-  for (std::uint32_t i = 0; i < kWidth; ++i) lane += up_to[i] <= rounded ? 1u : 0u;
-  const float share = weight[lane], passed = up_to[lane] - share;
-  u_ = std::clamp((target - double{passed}) / double{share}, 0.0, 1.0 - 0x1p-53);
-  choice_.probability *= share / total;
-
-  const std::int32_t child = n.child[lane];
-  if (child < 0) {
-    choice_.light = static_cast<std::uint32_t>(~child);
-    return false;
-  }
-  by_power_ = by_power_ || n.seen_alike(lane, at_.position);
-  node_ = static_cast<std::uint32_t>(child);
-  const auto* lines = reinterpret_cast<const char*>(&nodes_[node_]);
-  for (std::size_t i = 0; i < (by_power_ ? 2 * sizeof(Lanes) : sizeof(Node)); i += sizeof(Lanes))
-    __builtin_prefetch(lines + i);
-  return true;
-}
-
-LightTree::Choice LightTree::choose(const LightReference& at, double u) const {
-  Descent descent(*this, at, u);
-  while (descent.step()) {
-  }
-  return descent.choice();
+  // Now the order is final.
+  for (const auto members : alike)
+    clusters_.push_back({build.table(members), static_cast<std::uint32_t>(members.data() - order.data())});
+  for (const std::uint32_t i : order) lights_in_order_.push_back(name_of(i));
 }
 
 float LightTree::probability(const LightReference& at, std::uint32_t light) const {
   // Up to the root, where whatever is chosen within a cluster by power begins anew.
   Place place = place_of_light_[light];
-  const float power = nodes_[place / kWidth].power[place % kWidth];
+  const float power = nodes_[place / kWidth].branches.power[place % kWidth];
   float probability = 1.0f;
   while (place != kRoot) {
     const Node& n = nodes_[place / kWidth];
     const Place above = place_of_node_[place / kWidth];
     const Node& parent = nodes_[above == kRoot ? 0 : above / kWidth];
     if (above != kRoot && parent.seen_alike(above % kWidth, at.position)) {
-      probability = power / parent.power[above % kWidth];
+      probability = power / parent.branches.power[above % kWidth];
     } else {
-      const Lanes weight = n.importance(at);
+      const Lanes weight = importance(n.branches, at);
       float total = 0.0f;
       for (std::uint32_t i = 0; i < kWidth; ++i) total += weight[i];
       probability *= total > 0.0f ? weight[place % kWidth] / total : 0.0f;

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/lights/light.h"
-#include "core/lights/light_bounds.h"
+#include "core/lights/alias_table.h"
+#include "core/lights/light_importance.h"
 
 namespace photopic {
 
@@ -25,59 +26,48 @@ class LightTree {
     std::uint32_t light;  ///< its name; kNoLight where none shines
     float probability;
   };
-  class Descent;
+  using Choices = std::array<Choice, kLanes>;
 
   /// @param u in [0, 1)
   Choice choose(const LightReference& at, double u) const;
+
+  /// The same for several points at once. @param wanted lanes, of which the choices are filled in
+  void choose(const BasicLightReference<Lanes>& at, const std::array<double, kLanes>& u,
+              std::span<const std::uint32_t> wanted, Choices& choices) const;
 
   /// The probability that choose() gives this light. @param light index into the constructor's list
   float probability(const LightReference& at, std::uint32_t light) const;
 
  private:
   static constexpr std::uint32_t kWidth = kLanes;
+  static constexpr std::uint32_t kNoCluster = ~0u;
 
-  /// What is known of each branch, a line of memory a quantity; branches that are missing have no power.
-  struct alignas(64) Node {
-    Lanes power;            ///< of all lights: 1
-    IntLanes child;         ///< a node, or ~light
-    Lanes x, y, z, radius;  ///< sphere about the box [m]
-    Lanes axis_x, axis_y, axis_z, cos_o, sin_o, cos_e;
-    Lanes other_side;  ///< −1: shines along −axis too; else 1
+  /// Branches that are missing have no power.
+  struct Node {
+    LightBranch<Lanes> branches{};
+    IntLanes child{};                              ///< a node, or ~light
+    UintLanes cluster = UintLanes{} + kNoCluster;  ///< of lights so alike that power may choose among them
 
-    Lanes importance(const LightReference& at) const;
+    LightBranch<float> branch(std::uint32_t lane) const;
     bool seen_alike(std::uint32_t lane, Vec3f from) const;
   };
+  /// A branch's lights, to be chosen by power.
+  struct Cluster {
+    AliasTable by_power;
+    std::uint32_t first;  ///< in lights_in_order_
+  };
   struct Build;
+  class Descents;
 
   /// A node's lane, node · kWidth + lane.
   using Place = std::uint32_t;
   static constexpr Place kRoot = ~0u;
 
   std::vector<Node> nodes_;
-  std::vector<Place> place_of_node_;  ///< in its parent
+  std::vector<Cluster> clusters_;
+  std::vector<std::uint32_t> lights_in_order_;  ///< their names, so that each branch's stand together
+  std::vector<Place> place_of_node_;            ///< in its parent
   std::vector<Place> place_of_light_;
-};
-
-/// A choice on its way down the tree. Several advanced in turns do not wait for each other's look-ups.
-class LightTree::Descent {
- public:
-  Descent() = default;
-  /// @param u in [0, 1)
-  Descent(const LightTree& tree, const LightReference& at, double u)
-      : nodes_(tree.nodes_.data()), at_(at), u_(u) {}
-
-  /// One node further. @return whether there is more to go
-  bool step();
-
-  const Choice& choice() const { return choice_; }  ///< at the end
-
- private:
-  const Node* nodes_ = nullptr;
-  LightReference at_;
-  double u_ = 0.0;
-  std::uint32_t node_ = 0;
-  bool by_power_ = false;
-  Choice choice_{kNoLight, 1.0f};
 };
 
 }  // namespace photopic

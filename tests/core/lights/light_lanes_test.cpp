@@ -105,12 +105,13 @@ TEST(LightLanes, OneLampAlone) {
     for (std::uint32_t k = 0; k < 50; ++k) {
       const LightReferenceLanes at = some_points(k, kLanes);
       LightSampleLanes samples;
-      ASSERT_TRUE(lights.sample_only_light(at.position, at.u, samples));
+      ASSERT_TRUE(lights.has_only_light());
+      lights.sample_only_light(at.position, at.u, samples);
       for (int i = 0; i < kLanes; ++i) expect_same(samples, i, lights.sample(at[i], {}, 0.5, lane(at.u, i)));
     }
   }
   LightSampleLanes samples;
-  EXPECT_FALSE(LightSampler(lamps(2).build()).sample_only_light(Vec3Lanes{}, Sample2dLanes{}, samples));
+  EXPECT_FALSE(LightSampler(lamps(2).build()).has_only_light());
 }
 
 }  // namespace

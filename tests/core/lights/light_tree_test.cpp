@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/sampling.h"
 #include "support/statistics.h"
 
@@ -70,6 +72,61 @@ TEST(LightTree, ChoicesFollowTheProbabilities) {
       ++observed[choice.light == kNoLight ? kLights : choice.light];
     }
     EXPECT_GT(chi_square_p_value(observed, expected), 1e-3) << k;
+  }
+}
+
+/// A wall of lamps, from close by and from so far that its patches are chosen from by power alone.
+TEST(LightTree, PatchesSeenAlike) {
+  constexpr std::uint32_t kSide = 30, kLights = kSide * kSide, kSamples = 200000;
+  std::vector<LightBounds> lights;
+  std::vector<std::uint32_t> names;
+  for (std::uint32_t i = 0; i < kLights; ++i) {
+    const Vec3f p{0.1f * static_cast<float>(i % kSide), 0.1f * static_cast<float>(i / kSide), 0.0f};
+    lights.push_back({.low = p, .high = p + Vec3f{0.1f, 0.1f, 0.0f}, .axis = {0, 0, 1}});
+    lights.back().power = 0.01f + random(3, i);
+    names.push_back(5 + 3 * i);
+  }
+  const LightTree tree(lights, names);
+  for (const float height : {0.2f, 3.0f, 30.0f}) {
+    const LightReference at{{1.0f, 2.0f, height}, {0, 0, -1}};
+    std::vector<double> observed(kLights), expected;
+    for (std::uint32_t i = 0; i < kLights; ++i) expected.push_back(kSamples * tree.probability(at, i));
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
+      const auto choice = tree.choose(at, SampleStream(Sequence::independent, 4, 0, i).get_1d_fine(0));
+      const std::uint32_t light = (choice.light - 5) / 3;
+      ASSERT_LT(light, kLights);
+      ASSERT_NEAR(choice.probability, tree.probability(at, light), 1e-5f * choice.probability);
+      ++observed[light];
+    }
+    EXPECT_GT(chi_square_p_value(observed, expected), 1e-3) << height;
+  }
+}
+
+/// Sixteen at once are what each is alone, and lanes that are not wanted are left as they are.
+TEST(LightTree, LanesDoNotMix) {
+  const LightTree tree(strewn(3000));
+  for (std::uint32_t k = 0; k < 100; ++k) {
+    BasicLightReference<Lanes> at{};
+    std::array<double, kLanes> u{};
+    std::vector<std::uint32_t> wanted;
+    for (std::uint32_t i = 0; i < kLanes; ++i) {
+      const std::uint32_t j = kLanes * k + i;
+      set_lane(at.position, static_cast<int>(i), random_point(9, j));
+      if (j % 3) set_lane(at.normal, static_cast<int>(i), normalize(random_point(10, j)));
+      u[i] = random(11, j);
+      if (random(12, j) < 0.6f) wanted.push_back(i);
+    }
+    LightTree::Choices choices;
+    choices.fill({123456, -1.0f});
+    tree.choose(at, u, wanted, choices);
+    for (std::uint32_t i = 0; i < kLanes; ++i) {
+      const auto lane_i = static_cast<int>(i);
+      LightTree::Choice one{123456, -1.0f};
+      if (std::ranges::count(wanted, i))
+        one = tree.choose({lane(at.position, lane_i), lane(at.normal, lane_i)}, u[i]);
+      EXPECT_EQ(choices[i].light, one.light);
+      EXPECT_EQ(choices[i].probability, one.probability);
+    }
   }
 }
 

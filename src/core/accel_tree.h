@@ -1,0 +1,103 @@
+#pragma once
+
+#if PHOTOPIC_EMBREE >= 4
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/accel.h"
+#include "core/surface.h"
+
+namespace photopic {
+
+struct ReleaseScene {
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using SceneHandle = std::unique_ptr<RTCSceneTy, ReleaseScene>;
+
+struct ReleaseDevice {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+
+/// What Embree holds, and the ways of asking it that differ from version 3 to 4. For accel*.cpp alone.
+class Accel::Tree {
+ public:
+  /// @throws std::runtime_error when Embree fails
+  Tree(Geometry& geometry, std::span<const Surface> surfaces, bool finds_crossings);
+  ~Tree();
+  Tree(const Tree&) = delete;
+  Tree& operator=(const Tree&) = delete;
+
+  RTCScene scene() const { return scene_.get(); }
+  const std::vector<PrimitiveRange>& ranges() const { return ranges_; }
+
+  RTCRayHit intersect(const RTCRay& ray) const {
+    RTCRayHit query{ray, {}};
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+    rtcIntersect1(scene(), &query);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene(), &context, &query);
+#endif
+    return query;
+  }
+
+  void intersect(const int* valid, RTCRayHit16& query) const {
+#if RTC_VERSION_MAJOR >= 4
+    rtcIntersect16(valid, scene(), &query);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect16(valid, scene(), &context, &query);
+#endif
+  }
+
+  void occluded(const int* valid, RTCRay16& query) const {
+#if RTC_VERSION_MAJOR >= 4
+    rtcOccluded16(valid, scene(), &query);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded16(valid, scene(), &context, &query);
+#endif
+  }
+
+  bool occluded(RTCRay ray) const {
+#if RTC_VERSION_MAJOR >= 4
+    rtcOccluded1(scene(), &ray);
+#else
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene(), &context, &ray);
+#endif
+    return ray.tfar < 0.0f;
+  }
+
+ private:
+  struct Sieve;
+
+  SceneHandle new_scene() const;
+  void attach(RTCScene to, RTCGeometry made) const;
+  RTCGeometry new_mesh(const Geometry& geometry, std::size_t shape) const;
+  void attach_shapes(RTCScene to, const Geometry& geometry, std::span<const Surface> surfaces,
+                     std::size_t first, std::size_t count);
+  void attach_instance(RTCScene prototype, const Affinef& to_world) const;
+
+  RTCSceneFlags flags_;
+  std::string error_;  ///< the last that Embree reported
+  std::vector<std::unique_ptr<Sieve>> sieves_;
+  std::unique_ptr<const Quads> quads_;  ///< none: the BVH is of triangles
+  std::vector<PrimitiveRange> ranges_;  ///< of each shape
+  std::unique_ptr<RTCDeviceTy, ReleaseDevice> device_;
+  SceneHandle scene_;
+};
+
+}  // namespace photopic

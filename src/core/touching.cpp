@@ -1,0 +1,232 @@
+#include "core/touching.h"
+
+#include <oneapi/tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <memory>
+
+#include "core/accel.h"
+#include "core/surface_point.h"
+
+namespace photopic {
+namespace {
+
+/// What may lie within that many bounds on rounding of a face counts as touching it: integrator/contact.cpp
+/// looks two ahead.
+constexpr float kReach = 3.0f;
+
+/// The sine from which planes are far from each other but along the line where they cross.
+constexpr double kSteep = 0.1;
+
+using Corners = std::array<Vec3f, 3>;
+
+struct Box {
+  Vec3f low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+
+  void add(Vec3f p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  void grow(float d) {
+    low = low - Vec3f{d, d, d};
+    high = high + Vec3f{d, d, d};
+  }
+  bool overlaps(const Box& b) const {
+    return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
+           low.z <= b.high.z && b.low.z <= high.z;
+  }
+};
+
+/// A triangle in the world.
+struct Item {
+  Box box;  ///< grown by the reach
+  std::uint32_t triangle, instance;
+  bool solid;
+};
+
+Corners corners_of(const Geometry& geometry, std::uint32_t triangle, std::uint32_t instance) {
+  Corners c;
+  for (std::size_t k = 0; k < 3; ++k) {
+    c[k] = geometry.positions[geometry.triangles[triangle][k]];
+    if (instance != kNoInstance) c[k] = geometry.instances[instance].to_world.point(c[k]);
+  }
+  return c;
+}
+
+float error_of(const Geometry& geometry, const Corners& c, std::uint32_t instance) {
+  return instance == kNoInstance ? position_error(c[0], c[1], c[2]) : geometry.instances[instance].error;
+}
+
+Vec3d unit_normal(const Corners& c) {
+  const Vec3d a = to_double(c[0]), n = cross(to_double(c[1]) - a, to_double(c[2]) - a);
+  return dot(n, n) > 0.0 ? normalize(n) : n;
+}
+
+/// Whether all of b but what it shares with a lies off a's plane, on one side.
+bool plane_separates(const Corners& a, Vec3d normal, const Corners& b, double reach) {
+  int above = 0, below = 0, shared = 0;
+  for (const Vec3f& p : b) {
+    const double h = dot(normal, to_double(p) - to_double(a[0]));
+    if (std::ranges::find(a, p) != a.end())
+      ++shared;
+    else if (h > reach)
+      ++above;
+    else if (h < -reach)
+      ++below;
+  }
+  return shared < 3 && (above + shared == 3 || below + shared == 3);
+}
+
+/// Whether b lies beside a, seen along a's normal.
+bool edge_separates(const Corners& a, Vec3d normal, const Corners& b, double reach) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3d from = to_double(a[k]), along = to_double(a[(k + 1) % 3]) - from;
+    const Vec3d out = cross(along, normal);
+    const double least = -reach * length(out);
+    if (std::ranges::all_of(b, [&](Vec3f p) { return dot(out, to_double(p) - from) >= least; })) return true;
+  }
+  return false;
+}
+
+bool touch(const Corners& a, const Corners& b, double reach) {
+  const Vec3d na = unit_normal(a), nb = unit_normal(b);
+  if (length(cross(na, nb)) > kSteep) return false;
+  if (dot(na, na) == 0.0 || dot(nb, nb) == 0.0) return false;  // without area
+  return !plane_separates(a, na, b, reach) && !plane_separates(b, nb, a, reach) &&
+         !edge_separates(a, na, b, reach) && !edge_separates(b, nb, a, reach);
+}
+
+/// Finds pairs: a tree of boxes, joined with itself.
+class Search {
+ public:
+  Search(const Geometry& geometry, std::vector<Item> items)
+      : geometry_(geometry), items_(std::move(items)), marks_(geometry.triangles.size()) {}
+
+  /// @return the marks
+  std::vector<std::uint8_t> run() && {
+    within(*build(0, items_.size()));
+    if (!any_) marks_.clear();
+    return std::move(marks_);
+  }
+
+ private:
+  struct Node {
+    Box box;
+    bool solid;  ///< some item is
+    std::size_t begin, end;
+    std::unique_ptr<Node> left, right;  ///< both or none
+  };
+  static constexpr std::size_t kLeaf = 8, kForTwo = 10000;
+
+  template <typename First, typename Second>
+  static void both(bool parallel, const First& first, const Second& second) {
+    if (parallel)
+      tbb::parallel_invoke(first, second);
+    else
+      first(), second();
+  }
+
+  std::unique_ptr<Node> build(std::size_t begin, std::size_t end) {
+    auto node = std::make_unique<Node>(Node{{}, false, begin, end, nullptr, nullptr});
+    for (std::size_t i = begin; i < end; ++i) {
+      node->box.add(items_[i].box.low), node->box.add(items_[i].box.high);
+      node->solid |= items_[i].solid;
+    }
+    if (end - begin <= kLeaf) return node;
+    const Vec3f size = node->box.high - node->box.low;
+    const auto axis = size.x >= size.y && size.x >= size.z ? &Vec3f::x
+                      : size.y >= size.z                   ? &Vec3f::y
+                                                           : &Vec3f::z;
+    const auto middle = [&](const Item& i) { return i.box.low.*axis + i.box.high.*axis; };
+    const std::size_t half = begin + (end - begin) / 2;
+    const auto at = [&](std::size_t i) { return items_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::ranges::nth_element(at(begin), at(half), at(end), {}, middle);
+    both(
+        end - begin > kForTwo, [&] { node->left = build(begin, half); },
+        [&] { node->right = build(half, end); });
+    return node;
+  }
+
+  void within(const Node& n) {
+    if (!n.solid) return;
+    if (!n.left) {
+      for (std::size_t i = n.begin; i < n.end; ++i)
+        for (std::size_t j = i + 1; j < n.end; ++j) compare(items_[i], items_[j]);
+      return;
+    }
+    both(
+        n.end - n.begin > kForTwo, [&] { within(*n.left); },
+        [&] { within(*n.right), between(*n.left, *n.right); });
+  }
+
+  void between(const Node& a, const Node& b) {
+    if (!(a.solid || b.solid) || !a.box.overlaps(b.box)) return;
+    if (!a.left && !b.left) {
+      for (std::size_t i = a.begin; i < a.end; ++i)
+        for (std::size_t j = b.begin; j < b.end; ++j) compare(items_[i], items_[j]);
+    } else if (!b.left || (a.left && a.end - a.begin >= b.end - b.begin)) {
+      between(*a.left, b), between(*a.right, b);
+    } else {
+      between(a, *b.left), between(a, *b.right);
+    }
+  }
+
+  void compare(const Item& a, const Item& b) {
+    if (!(a.solid || b.solid) || !a.box.overlaps(b.box)) return;
+    const Corners ca = corners_of(geometry_, a.triangle, a.instance),
+                  cb = corners_of(geometry_, b.triangle, b.instance);
+    const float error = std::max(error_of(geometry_, ca, a.instance), error_of(geometry_, cb, b.instance));
+    if (touch(ca, cb, kReach * error)) mark(a), mark(b);
+  }
+
+  void mark(const Item& i) {
+    std::atomic_ref(marks_[i.triangle]).store(1, std::memory_order_relaxed);
+    any_.store(true, std::memory_order_relaxed);
+  }
+
+  const Geometry& geometry_;
+  std::vector<Item> items_;
+  std::vector<std::uint8_t> marks_;
+  std::atomic<bool> any_ = false;
+};
+
+/// Triangles of a range of shapes, in the world or of an instance.
+void add_items(std::vector<Item>& items, const Geometry& geometry, std::span<const Surface> surfaces,
+               std::span<const Shape> shapes, std::uint32_t instance, const Box* near, bool solids) {
+  for (const Shape& shape : shapes) {
+    if (surfaces[shape.material].encloses != solids) continue;
+    for (std::uint32_t t = shape.first_triangle; t < shape.first_triangle + shape.triangle_count; ++t) {
+      const Corners c = corners_of(geometry, t, instance);
+      Item item{{}, t, instance, solids};
+      for (const Vec3f& p : c) item.box.add(p);
+      item.box.grow(kReach * error_of(geometry, c, instance));
+      if (!near || item.box.overlaps(*near)) items.push_back(item);
+    }
+  }
+}
+
+void add_all(std::vector<Item>& items, const Geometry& geometry, std::span<const Surface> surfaces,
+             const Box* near, bool solids) {
+  const std::span<const Shape> shapes = geometry.shapes;
+  add_items(items, geometry, surfaces, shapes.first(geometry.baked_shape_count()), kNoInstance, near, solids);
+  for (std::uint32_t i = 0; i < geometry.instances.size(); ++i) {
+    const Prototype& p = geometry.prototypes[geometry.instances[i].prototype];
+    add_items(items, geometry, surfaces, shapes.subspan(p.first_shape, p.shape_count), i, near, solids);
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> touching_triangles(const Geometry& geometry, std::span<const Surface> surfaces) {
+  std::vector<Item> items;
+  add_all(items, geometry, surfaces, nullptr, true);
+  if (items.empty()) return {};
+  Box near;
+  for (const Item& i : items) near.add(i.box.low), near.add(i.box.high);
+  add_all(items, geometry, surfaces, &near, false);
+  return Search(geometry, std::move(items)).run();
+}
+
+}  // namespace photopic

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/scene.h"
+#include "core/surface.h"
+
+namespace photopic {
+
+/// Which triangles of solids lie, over some of their area, so close to another surface that rounding may not
+/// tell which of the two a ray meets first, or whether one that starts beside the first starts beyond the
+/// second; and those other triangles. Neighbours that share no more than an edge or a corner do not count.
+/// A prototype's triangle is marked where it touches in one of the instances.
+/// @return 1 or 0 for each of geometry.triangles; empty where nothing touches
+std::vector<std::uint8_t> touching_triangles(const Geometry& geometry, std::span<const Surface> surfaces);
+
+}  // namespace photopic

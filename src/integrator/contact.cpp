@@ -1,0 +1,150 @@
+#include "integrator/contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/surface_point.h"
+
+namespace photopic {
+namespace {
+
+using Face = Contact::Face;
+
+Face face_of(const PreparedScene& scene, const Hit& hit, Vec3f onwards, float depth) {
+  const std::uint32_t material = scene.scene.geometry.shapes[hit.shape].material;
+  const SurfacePoint point = surface_point(scene.scene.geometry, hit);
+  return {hit, {material, dot(point.geometric_normal, onwards) >= 0.0f}, depth, point.error};
+}
+
+/// A place while it is being explored. Solids within twice the bound on rounding beyond the last belong to
+/// it, other surfaces within the bound, and paths go on one bound beyond: whether something at the very limit
+/// is found or not, it lies on the side of them where they take it to be.
+class Place {
+ public:
+  Place(const PreparedScene& scene, const Hit& hit, const SurfacePoint& point, Vec3f onwards, float way)
+      : scene_(scene), hit_(hit), onwards_(onwards), way_(way), error_(point.error) {
+    faces_[0] = face_of(scene_, hit_, onwards_, 0.0f), count_ = 1;
+    if (!touches(scene, hit) || !passes(faces_[0])) return;
+    // The ray came from a free place: no further back than half the way there.
+    const float back = std::min(error_, 0.5f * way_);
+    float reach = 2.0f * error_;
+    for (;;) {
+      search({point.position - onwards * back, onwards}, back, reach);
+      if (overflowed_ || last_ + 2.0f * error_ <= reach) break;
+      reach = last_ + 2.0f * error_;
+    }
+  }
+
+  Contact contact() {
+    Contact c;
+    c.met = faces_[0];
+    c.overflowed = overflowed_;
+    choose_screen(c);
+    add_solids(c);
+    c.near_end = -std::min(error_ - first_, std::max(0.5f * way_, -first_));
+    c.far_end = far_end(c);
+    return c;
+  }
+
+ private:
+  bool encloses(const Face& f) const { return scene_.surfaces[f.boundary.material].encloses; }
+  bool passes(const Face& f) const { return scene_.surfaces[f.boundary.material].lets_through; }
+  std::span<Face> faces() { return std::span(faces_).first(count_); }
+
+  void search(const Ray& ray, float back, float reach) {
+    std::array<Hit, Contact::kCapacity> found;
+    const std::size_t n = scene_.accel.crossings(ray, back + reach, found);
+    overflowed_ = n == found.size();
+    count_ = 1;
+    for (Hit& h : std::span(found).first(n)) {
+      if (h.triangle == hit_.triangle && h.instance == hit_.instance) continue;
+      const float depth = h.t - back;
+      h.t = hit_.t;
+      if (count_ < faces_.size()) faces_[count_++] = face_of(scene_, h, onwards_, depth);
+    }
+    for (const Face& f : faces()) {
+      error_ = std::max(error_, f.error);
+      if (encloses(f)) last_ = std::max(last_, f.depth);
+      first_ = std::min(first_, f.depth);
+    }
+  }
+
+  /// Of the other surfaces the first that nothing passes, or else the first.
+  void choose_screen(Contact& c) {
+    for (const Face& f : faces()) {
+      if (encloses(f) || f.depth > last_ + error_) continue;
+      const bool better =
+          !c.screen || std::pair(passes(f), f.depth) < std::pair(passes(*c.screen), c.screen->depth);
+      if (better) c.screen = f;
+    }
+  }
+
+  /// By depth; what lies in one depth has the order of the materials.
+  void add_solids(Contact& c) {
+    for (const Face& f : faces())
+      if (encloses(f)) c.faces[c.count++] = f;
+    const auto solids = std::span(c.faces).first(c.count);
+    std::ranges::sort(solids, {}, &Face::depth);
+    for (std::size_t i = 1; i < c.count; ++i)
+      for (std::size_t j = i; j > 0 && swapped(solids[j - 1], solids[j]); --j)
+        std::swap(solids[j - 1], solids[j]);
+    drop_pairs(c);
+  }
+  bool swapped(const Face& a, const Face& b) const {
+    return b.depth - a.depth < error_ && a.boundary.material > b.boundary.material;
+  }
+
+  static bool on_edge(const Hit& h) { return std::min({h.u, h.v, 1.0f - h.u - h.v}) < 1e-6f; }
+
+  /// Out of a material and into the same; and twice into it (or out) through one edge.
+  static void drop_pairs(Contact& c) {
+    for (std::size_t i = 0; i < c.count; ++i)
+      for (std::size_t j = i + 1; j < c.count; ++j) {
+        const Face &a = c.faces[i], &b = c.faces[j];
+        if (a.boundary.material != b.boundary.material) continue;
+        const bool same_way = a.boundary.from_inside == b.boundary.from_inside;
+        if (same_way && !(on_edge(a.hit) && on_edge(b.hit))) continue;
+        erase(c, j);
+        if (!same_way) {
+          erase(c, i--);
+          break;
+        }
+        --j;
+      }
+  }
+  static void erase(Contact& c, std::size_t i) {
+    std::shift_left(c.faces.begin() + static_cast<std::ptrdiff_t>(i),
+                    c.faces.begin() + static_cast<std::ptrdiff_t>(c.count), 1);
+    --c.count;
+  }
+
+  /// Half the way to what comes next, if that is near.
+  float far_end(const Contact& c) {
+    const float last = std::max(last_, c.screen ? c.screen->depth : 0.0f);
+    float free = 2.0f * error_;
+    for (const Face& f : faces())
+      if (f.depth > last_ + error_) free = std::min(free, f.depth - last);
+    return last + 0.5f * free;
+  }
+
+  const PreparedScene& scene_;
+  const Hit& hit_;
+  Vec3f onwards_;
+  float way_;                         ///< that the ray came, along the normal [m]
+  float error_;                       ///< the largest bound of a face [m]
+  float first_ = 0.0f, last_ = 0.0f;  ///< depths; last_ of the solids [m]
+  std::array<Face, Contact::kCapacity> faces_;
+  std::size_t count_ = 0;
+  bool overflowed_ = false;
+};
+
+}  // namespace
+
+Contact contact_at(const PreparedScene& scene, const Hit& hit, Vec3f direction) {
+  const SurfacePoint point = surface_point(scene.scene.geometry, hit);
+  const float cosine = dot(point.geometric_normal, direction);
+  const Vec3f onwards = cosine < 0.0f ? -point.geometric_normal : point.geometric_normal;
+  return Place(scene, hit, point, onwards, std::abs(cosine) * hit.t).contact();
+}
+
+}  // namespace photopic
