@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "core/microfacet.h"
@@ -49,13 +48,6 @@ std::vector<float> cosine_average_weights(const Locate& locate, int size) {
       sums[static_cast<std::size_t>(place.cell + end)] += place.weight(end) * 8.0 / kSteps * x2 * x2 * x2 * x;
   }
   return {sums.begin(), sums.end()};
-}
-
-/// How much of what leaves towards wi is blocked, s in G2/G1 = 1/(1 + s); infinite below the horizon. What is
-/// lost is 1/(1 + 1/s), without cancellation.
-template <typename AnyGgx>
-float shadowing(const AnyGgx& ggx, Vec3f wo, Vec3f wi) {
-  return wi.z > 0.0f ? ggx.lambda(wi) * ggx.g1(wo) : std::numeric_limits<float>::infinity();
 }
 
 }  // namespace photopic

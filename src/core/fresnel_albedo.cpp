@@ -2,36 +2,18 @@
 
 #include <tbb/parallel_for.h>
 
-#include "core/albedo_axes.h"
-#include "core/anisotropic_ggx.h"
 #include "core/fresnel.h"
+#include "core/node_cosines.h"
 
 namespace photopic {
 namespace {
 
 using Weights = FresnelAlbedo::Weights;
 
-/// The axis of cos θ: fourth roots up to the first node of the rest, from there on equal steps that meet
-/// every node, where the weights of smooth surfaces have kinks.
-constexpr int kNearHorizon = 32, kPerNode = 4;
-constexpr int kCosines = kNearHorizon + FresnelAlbedo::kNodes * kPerNode + 1;
-
-float cosine(int i) {
-  const float first = FresnelAlbedo::node(0);
-  if (i <= kNearHorizon) return first * albedo_cosine(i, kNearHorizon + 1);
-  return first * (1.0f + static_cast<float>(i - kNearHorizon) / kPerNode);
-}
-
-TablePosition locate_cosine_by_node(float cos_theta) {
-  const float nodes = cos_theta * (FresnelAlbedo::kNodes + 1);
-  if (nodes < 1.0f) return locate_cosine(nodes, kNearHorizon + 1);
-  TablePosition place = locate((nodes - 1.0f) / FresnelAlbedo::kNodes, FresnelAlbedo::kNodes * kPerNode + 1);
-  place.cell += kNearHorizon;
-  return place;
-}
+constexpr NodeCosines kAxis{32, 4};
 
 const Weights& entry(const std::vector<Weights>& table, int roughness, int cosine) {
-  return table[static_cast<std::size_t>(roughness * kCosines + cosine)];
+  return table[static_cast<std::size_t>(roughness * kAxis.size() + cosine)];
 }
 
 }  // namespace
@@ -53,45 +35,44 @@ FresnelAlbedo::Weights FresnelAlbedo::at(float cos_theta) {
   return weights;
 }
 
-// Visible-normal sampling leaves F·G2/G1 to average; steep normals, where light is lost, are drawn more
-// often.
-template <typename AnyGgx>
-Weights FresnelAlbedo::integrate(const AnyGgx& ggx, Vec3f wo, int samples) {
-  Weights mean;
-  for (int i = 0; i < samples; ++i) {
-    const Sample2d u = SampleStream(Sequence::sobol, 0, 0, static_cast<std::uint32_t>(i)).get_2d(0);
-    const Vec3f m = ggx.sample_visible(wo, {u.x, 1.0f - sqr(u.y)});
-    const Vec3f wi = reflect(wo, m);
-    const float weight = 2.0f * u.y / static_cast<float>(samples), shadow = shadowing(ggx, wo, wi);
-    if (wi.z > 0.0f) mean.add(at(dot(wo, m)), weight / (1.0f + shadow));
-    mean.missing += weight / (1.0f + 1.0f / shadow);
-  }
-  mean.f0 = 1.0f - mean.missing - mean.f90;
-  return mean;
+Weights FresnelAlbedo::integrate(const VisibleNormals& normals, const AnisotropicGgx& ggx, Vec3f wo) {
+  const VisibleNormals::Bounces bounces = normals.bounces(ggx, wo);
+  Weights sum;
+  std::array<float, kNodes + 2> share{};  // of the nodes, 0 and 1
+  bounces.for_each([&](float cosine, float kept) {
+    sum.f90 += kept * schlick_weight(cosine);
+    const TablePosition place = locate(cosine, kNodes + 2);
+    for (int end = 0; end < 2; ++end)
+      share[static_cast<std::size_t>(place.cell + end)] += kept * place.weight(end);
+  });
+  std::copy_n(share.begin() + 1, kNodes, sum.rest.begin());
+  sum.missing = bounces.missing;
+  sum.f0 = 1.0f - sum.missing - sum.f90;
+  return sum;
 }
-template Weights FresnelAlbedo::integrate(const Ggx&, Vec3f, int);
-template Weights FresnelAlbedo::integrate(const AnisotropicGgx&, Vec3f, int);
 
 const FresnelAlbedo& FresnelAlbedo::table() {
   static const FresnelAlbedo table;
   return table;
 }
 
-FresnelAlbedo::FresnelAlbedo() : directional_(kRoughnesses * kCosines), average_(kRoughnesses) {
-  const auto share = cosine_average_weights(locate_cosine_by_node, kCosines);
+FresnelAlbedo::FresnelAlbedo()
+    : directional_(static_cast<std::size_t>(kRoughnesses * kAxis.size())), average_(kRoughnesses) {
+  const VisibleNormals normals(1024);
+  const auto share = cosine_average_weights([](float c) { return kAxis.locate(c); }, kAxis.size());
   tbb::parallel_for(0, kRoughnesses, [&](int r) {
-    const Ggx ggx{sqr(albedo_roughness(r, kRoughnesses))};
-    for (int c = 0; c < kCosines; ++c) {
-      const float z = cosine(c);
-      const Weights w = integrate(ggx, {safe_sqrt(1.0f - sqr(z)), 0.0f, z}, 1024);
-      directional_[static_cast<std::size_t>(r * kCosines + c)] = w;
+    const float alpha = sqr(albedo_roughness(r, kRoughnesses));
+    for (int c = 0; c < kAxis.size(); ++c) {
+      const float z = kAxis[c];
+      const Weights w = integrate(normals, {alpha, alpha}, {safe_sqrt(1.0f - sqr(z)), 0.0f, z});
+      directional_[static_cast<std::size_t>(r * kAxis.size() + c)] = w;
       average_[static_cast<std::size_t>(r)].add(w, share[static_cast<std::size_t>(c)]);
     }
   });
 }
 
 Weights FresnelAlbedo::directional(float cos_theta, float roughness) const {
-  const auto r = locate_roughness(roughness, kRoughnesses), c = locate_cosine_by_node(cos_theta);
+  const auto r = locate_roughness(roughness, kRoughnesses), c = kAxis.locate(cos_theta);
   Weights weights;
   for (int dr = 0; dr < 2; ++dr)
     for (int dc = 0; dc < 2; ++dc)

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "core/math.h"
+#include "core/visible_normals.h"
 
 namespace photopic {
 
@@ -28,11 +28,10 @@ class FresnelAlbedo {
   /// The weights of F(cos θ) itself.
   static Weights at(float cos_theta);
 
-  /// By integration. @param ggx Ggx or AnisotropicGgx @param wo in its frame, wo.z > 0
-  template <typename AnyGgx>
-  static Weights integrate(const AnyGgx& ggx, Vec3f wo, int samples);
+  /// Of one bounce, by integration over normals. @param wo in the grain's frame, wo.z > 0
+  static Weights integrate(const VisibleNormals& normals, const AnisotropicGgx& ggx, Vec3f wo);
 
-  /// The table for roughness alike in all directions, integrated when first asked for (0.1 s of one core).
+  /// The table for roughness alike in all directions, integrated when first asked for (20 ms of one core).
   static const FresnelAlbedo& table();
 
   /// At cos θ in [0, 1] and roughness √α in [0, 1].

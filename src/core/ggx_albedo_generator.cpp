@@ -5,6 +5,7 @@
 #include "core/albedo_axes.h"
 #include "core/fresnel.h"
 #include "core/ggx_albedo.h"
+#include "core/visible_normals.h"
 
 namespace photopic {
 namespace {
@@ -12,22 +13,12 @@ namespace {
 using Factors = GgxAlbedo::Factors;
 constexpr int kCosines = GgxAlbedo::kCosines, kRoughnesses = GgxAlbedo::kRoughnesses;
 
-// Visible-normal sampling leaves F·G2/G1 to average; steep normals, where light is lost, are drawn more
-// often.
-Factors integrate(float cos_theta, float roughness) {
-  constexpr std::uint32_t kSamples = 1024;
-  const Ggx ggx{sqr(roughness)};
-  const Vec3f wo{safe_sqrt(1.0f - sqr(cos_theta)), 0.0f, cos_theta};
-  Factors sum{0.0f, 0.0f};
-  for (std::uint32_t i = 0; i < kSamples; ++i) {
-    const Sample2d u = SampleStream(Sequence::sobol, 0, 0, i).get_2d(0);
-    const Vec3f m = ggx.sample_visible(wo, {u.x, 1.0f - sqr(u.y)});
-    const Vec3f wi = reflect(wo, m);
-    const float weight = 2.0f * u.y, shadow = shadowing(ggx, wo, wi);
-    sum.missing += weight / (1.0f + 1.0f / shadow);
-    sum.bias += weight / (1.0f + shadow) * schlick_weight(dot(wo, m));
-  }
-  return {sum.missing / kSamples, sum.bias / kSamples};
+Factors integrate(const VisibleNormals& normals, float cos_theta, float roughness) {
+  const VisibleNormals::Bounces bounces =
+      normals.bounces({sqr(roughness), sqr(roughness)}, {safe_sqrt(1.0f - sqr(cos_theta)), 0.0f, cos_theta});
+  Factors sum{bounces.missing, 0.0f};
+  bounces.for_each([&](float cosine, float kept) { sum.bias += kept * schlick_weight(cosine); });
+  return sum;
 }
 
 void write(std::ostream& out, Factors f) {
@@ -38,6 +29,7 @@ void write(std::ostream& out, Factors f) {
 
 /// A roughness in each row, its average last.
 void write(std::ostream& out) {
+  const VisibleNormals normals(4096);
   const auto share = cosine_average_weights([](float c) { return locate_cosine(c, kCosines); }, kCosines);
   out << "#include \"core/ggx_albedo.h\"\n"
          "namespace photopic {\n"
@@ -46,7 +38,7 @@ void write(std::ostream& out) {
     out << "{";
     Factors sum{0.0f, 0.0f};
     for (int c = 0; c < kCosines; ++c) {
-      const Factors f = integrate(albedo_cosine(c, kCosines), albedo_roughness(r, kRoughnesses));
+      const Factors f = integrate(normals, albedo_cosine(c, kCosines), albedo_roughness(r, kRoughnesses));
       write(out, f);
       sum.missing += share[static_cast<std::size_t>(c)] * f.missing;
       sum.bias += share[static_cast<std::size_t>(c)] * f.bias;

@@ -5,12 +5,11 @@
 #include <algorithm>
 
 #include "core/albedo_axes.h"
-#include "core/fresnel.h"
 
 namespace photopic {
 namespace {
 
-constexpr int kCosines = 64;
+constexpr int kCosines = 64, kRow = kCosines + 1;  // the average stands behind the cosines
 
 float node(GlassAlbedo::Range range, int i, int count) {
   if (count == 1) return range.low;
@@ -24,79 +23,106 @@ TablePosition place(GlassAlbedo::Range range, float x, int count) {
 
 }  // namespace
 
-// Visible-normal sampling leaves F·G2/G1 of the reflected and (1 − F)·G2/G1 of the refracted direction to
-// average; steep normals, where light is lost, are drawn more often.
-GlassAlbedo::Share GlassAlbedo::integrate(float cos_theta, float roughness, float eta,
-                                          std::uint32_t samples) {
+// Visible-normal sampling leaves 1 − G2/G1 of the reflected direction, weighed with F, and of the refracted
+// one, with 1 − F, to average.
+void GlassAlbedo::integrate(const VisibleNormals& normals, float cos_theta, float roughness, float eta,
+                            std::size_t entry) {
   const Ggx ggx{std::max(sqr(roughness), 1e-4f)};
   const Vec3f wo{safe_sqrt(1.0f - sqr(cos_theta)), 0.0f, cos_theta};
-  Share sum;
-  for (std::uint32_t i = 0; i < samples; ++i) {
-    const Sample2d u = SampleStream(Sequence::sobol, 0, 0, i).get_2d(0);
-    const Vec3f m = ggx.sample_visible(wo, {u.x, 1.0f - sqr(u.y)});
-    const float cos_i = dot(wo, m), f = fresnel_dielectric(cos_i, eta);
-    const float weight = 2.0f * u.y / (static_cast<float>(samples) * ggx.g1(wo));
+  const float g1 = ggx.g1(wo);
+  const auto lost = [&](Vec3f wi, bool leaves) {
+    return leaves ? 1.0f / (1.0f + 1.0f / (ggx.lambda(wi) * g1)) : 1.0f;
+  };
+  Share& sum = share_[entry];
+  for (int i = 0; i < normals.count(); ++i) {
+    const Vec3f m = ggx.sample_visible(wo, normals.sample(i));
+    const float cos_i = dot(wo, m), f = fresnel_dielectric(cos_i, eta), weight = normals.weight(i);
     const Vec3f up = reflect(wo, m);
-    const float up_share = up.z > 0.0f ? weight * ggx.g2(wo, up) : 0.0f;
-    sum.total += f * up_share;
+    const float lost_up = weight * lost(up, up.z > 0.0f);
+    sum.missing += f * lost_up;
     if (f == 1.0f) continue;
     const Vec3f down = refract(wo, m, eta);
-    const float down_share = down.z < 0.0f ? weight * ggx.g2(wo, down) : 0.0f;
-    sum.total += (1.0f - f) * down_share;
-    const float exchanged = f * (down_share - up_share);
-    sum.exchanged += exchanged;
-    sum.exchanged_grazing += exchanged * schlick_weight(SpecularScale::thin_cosine(cos_i, eta));
+    const float lost_down = weight * lost(down, down.z < 0.0f);
+    sum.missing += (1.0f - f) * lost_down;
+    const float exchanged = lost_up - lost_down, thin = SpecularScale::thin_cosine(cos_i, eta);
+    sum.exchanged += f * exchanged;
+    sum.exchanged_grazing += f * exchanged * schlick_weight(thin);
+    if (exchanged_.empty()) continue;
+    const TablePosition place = locate(thin, kFilmNodes + 1);  // among 0 and the nodes
+    Film& film = exchanged_[entry];
+    if (place.cell > 0) film[static_cast<std::size_t>(place.cell - 1)] += place.weight(0) * exchanged;
+    film[static_cast<std::size_t>(place.cell)] += place.weight(1) * exchanged;
   }
-  return sum;
 }
 
-GlassAlbedo::GlassAlbedo(std::vector<float> iors, Range roughness)
+GlassAlbedo::GlassAlbedo(std::vector<float> iors, Range roughness, bool films)
     : iors_(std::move(iors)),
       roughness_(roughness),
       roughnesses_(roughness.low == roughness.high ? 1 : 24),
-      share_(entry(iors_.size(), 0, false, 0)) {
-  // Near ior 1, where light grazes total reflection, 1024 samples are good to 1 %, 4096 to 0.3 %.
+      share_(entry(iors_.size(), 0, false, 0)),
+      exchanged_(films ? share_.size() : 0) {
   const std::size_t tables = iors_.size() * static_cast<std::size_t>(roughnesses_);
-  const auto samples = static_cast<std::uint32_t>(std::clamp<std::size_t>(16384 / tables, 1024, 4096));
-  tbb::parallel_for(std::size_t{0}, iors_.size() * static_cast<std::size_t>(roughnesses_),
-                    [&](std::size_t i) {
-                      const std::size_t n = i / static_cast<std::size_t>(roughnesses_);
-                      const int r = static_cast<int>(i % static_cast<std::size_t>(roughnesses_));
-                      const float alpha_root = node(roughness_, r, roughnesses_), eta = iors_[n];
-                      for (int c = 0; c < kCosines; ++c) {
-                        const float cos_theta = albedo_cosine(c, kCosines);
-                        share_[entry(n, r, false, c)] = integrate(cos_theta, alpha_root, eta, samples);
-                        share_[entry(n, r, true, c)] = integrate(cos_theta, alpha_root, 1.0f / eta, samples);
-                      }
-                    });
+  const VisibleNormals normals(static_cast<int>(std::clamp<std::size_t>(16384 / tables, 1024, 4096)));
+  const auto weights = cosine_average_weights([](float c) { return locate_cosine(c, kCosines); }, kCosines);
+  tbb::parallel_for(std::size_t{0}, 2 * tables, [&](std::size_t i) {
+    const bool inside = i % 2 != 0;
+    const std::size_t n = i / 2 / static_cast<std::size_t>(roughnesses_);
+    const int r = static_cast<int>(i / 2 % static_cast<std::size_t>(roughnesses_));
+    const float alpha_root = node(roughness_, r, roughnesses_), eta = inside ? 1.0f / iors_[n] : iors_[n];
+    const std::size_t average = entry(n, r, inside, kCosines);
+    for (int c = 0; c < kCosines; ++c) {
+      const std::size_t at = entry(n, r, inside, c);
+      const float weight = weights[static_cast<std::size_t>(c)];
+      integrate(normals, albedo_cosine(c, kCosines), alpha_root, eta, at);
+      share_[average].add(share_[at], weight);
+      if (exchanged_.empty()) continue;
+      for (std::size_t k = 0; k < kFilmNodes; ++k) exchanged_[average][k] += weight * exchanged_[at][k];
+    }
+  });
 }
 
 std::size_t GlassAlbedo::entry(std::size_t ior, int roughness, bool inside, int cosine) const {
   const std::size_t row = ior * static_cast<std::size_t>(roughnesses_) + static_cast<std::size_t>(roughness);
-  return (2 * row + (inside ? 1 : 0)) * kCosines + static_cast<std::size_t>(cosine);
+  return (2 * row + (inside ? 1 : 0)) * kRow + static_cast<std::size_t>(cosine);
 }
 
-float GlassAlbedo::row(std::size_t ior, int roughness, bool inside, float cos_theta,
-                       SpecularScale specular) const {
-  const auto c = locate_cosine(cos_theta, kCosines);
-  return c.weight(0) * share_[entry(ior, roughness, inside, c.cell)].of(specular) +
-         c.weight(1) * share_[entry(ior, roughness, inside, c.cell + 1)].of(specular);
+float GlassAlbedo::of(std::size_t entry, const Reflection& reflection) const {
+  float missing = share_[entry].of(reflection.specular);
+  if (reflection.film)
+    for (std::size_t k = 0; k < kFilmNodes; ++k) missing += (*reflection.film)[k] * exchanged_[entry][k];
+  return missing;
 }
 
-float GlassAlbedo::operator()(float cos_theta, float roughness, float eta, SpecularScale specular) const {
+/// @param row gives a value of the row that begins at an entry
+template <typename F>
+float GlassAlbedo::interpolate(float roughness, float eta, const F& row) const {
   const bool inside = eta < 1.0f;
   const float ior = inside ? 1.0f / eta : eta;
   const auto above = static_cast<std::size_t>(std::ranges::lower_bound(iors_, ior) - iors_.begin());
   const std::size_t high = std::min(above, iors_.size() - 1), low = above == 0 ? 0 : above - 1;
   const float step = iors_[high] - iors_[low], t = step > 0.0f ? (ior - iors_[low]) / step : 0.0f;
   const TablePosition r = place(roughness_, roughness, roughnesses_);
-  float share = 0.0f;
+  float sum = 0.0f;
   for (int j = 0; j < 2; ++j)
     if (const float weight = r.weight(j); weight > 0.0f) {
-      if (t < 1.0f) share += (1.0f - t) * weight * row(low, r.cell + j, inside, cos_theta, specular);
-      if (t > 0.0f) share += t * weight * row(high, r.cell + j, inside, cos_theta, specular);
+      if (t < 1.0f) sum += (1.0f - t) * weight * row(entry(low, r.cell + j, inside, 0));
+      if (t > 0.0f) sum += t * weight * row(entry(high, r.cell + j, inside, 0));
     }
-  return share;
+  return sum;
+}
+
+float GlassAlbedo::missing(float cos_theta, float roughness, float eta, const Reflection& reflection) const {
+  const TablePosition c = locate_cosine(cos_theta, kCosines);
+  const auto cell = static_cast<std::size_t>(c.cell);
+  const float missing = interpolate(roughness, eta, [&](std::size_t row) {
+    return c.weight(0) * of(row + cell, reflection) + c.weight(1) * of(row + cell + 1, reflection);
+  });
+  return std::clamp(missing, 0.0f, 1.0f);
+}
+
+float GlassAlbedo::average_missing(float roughness, float eta, const Reflection& reflection) const {
+  return std::max(
+      interpolate(roughness, eta, [&](std::size_t row) { return of(row + kCosines, reflection); }), 1e-9f);
 }
 
 }  // namespace photopic

@@ -2,18 +2,10 @@
 
 #include <tbb/parallel_for.h>
 
-#include "core/albedo_axes.h"
-
 namespace photopic {
 namespace {
 
 using Weights = FresnelAlbedo::Weights;
-
-/// Numbers of nodes. Roughness: alpha_y. Grain: where alpha_x stands between alpha_y and 1. Azimuth: where
-/// the α that a direction sees stands between alpha_y and alpha_x. All by the eighth root of α, as
-/// albedo_roughness is.
-constexpr int kRoughnesses = 16, kGrains = 16, kAzimuths = 16, kCosines = 20;
-constexpr int kFineRoughnesses = 32, kFineGrains = 24;  ///< of the averages
 
 float root_of(float alpha) {
   return fourth_root(std::sqrt(alpha));
@@ -26,9 +18,6 @@ float alpha_of(float root) {
 float share(float x, float low, float high) {
   return high > low ? (x - low) / (high - low) : 0.0f;
 }
-float mix(float low, float high, int node, int nodes) {
-  return low + (high - low) * static_cast<float>(node) / static_cast<float>(nodes - 1);
-}
 
 float alpha_seen(Vec3f w, const AnisotropicGgx& ggx) {
   const float across = sqr(w.x) + sqr(w.y);
@@ -36,107 +25,131 @@ float alpha_seen(Vec3f w, const AnisotropicGgx& ggx) {
   return std::sqrt((sqr(w.x * ggx.alpha_x) + sqr(w.y * ggx.alpha_y)) / across);
 }
 
-AnisotropicGgx ggx_at(int roughness, int roughnesses, int grain, int grains) {
-  const float alpha_y = sqr(albedo_roughness(roughness, roughnesses));
-  return {alpha_of(mix(root_of(alpha_y), 1.0f, grain, grains)), alpha_y};
+/// The axis of azimuths, in [0, 1]. Roots alone would be coarse where one looks along a strong grain.
+float azimuth_of(float seen, const AnisotropicGgx& ggx) {
+  return 0.8f * share(root_of(seen), root_of(ggx.alpha_y), root_of(ggx.alpha_x)) +
+         0.2f * share(seen, ggx.alpha_y, ggx.alpha_x);
 }
-
-float alpha_seen_at(const AnisotropicGgx& ggx, int azimuth) {
-  return alpha_of(mix(root_of(ggx.alpha_y), root_of(ggx.alpha_x), azimuth, kAzimuths));
-}
-
-Vec3f direction_at(const AnisotropicGgx& ggx, int azimuth, float z) {
-  const float seen = alpha_seen_at(ggx, azimuth);
+Vec3f direction_at(const AnisotropicGgx& ggx, float azimuth, float z) {
+  float low = ggx.alpha_y, high = ggx.alpha_x;
+  for (int i = 0; i < 24; ++i) {
+    const float middle = 0.5f * (low + high);
+    (azimuth_of(middle, ggx) < azimuth ? low : high) = middle;
+  }
+  const float seen = azimuth < 0.5f ? low : high;  // exact at the ends
   const float cos2 = std::clamp(share(sqr(seen), sqr(ggx.alpha_y), sqr(ggx.alpha_x)), 0.0f, 1.0f);
   const float r = safe_sqrt(1.0f - sqr(z));
   return {r * std::sqrt(cos2), r * std::sqrt(1.0f - cos2), z};
 }
 
-TablePosition locate_roughness_of(const AnisotropicGgx& ggx, int roughnesses) {
-  return locate_roughness(std::sqrt(ggx.alpha_y), roughnesses);
+/// The axes of roughness and grain; of one node where there is but one surface.
+TablePosition locate_roughness_of(const AnisotropicGgx& ggx, int size) {
+  return size == 1 ? TablePosition{0, 0.0f} : locate_roughness(std::sqrt(ggx.alpha_y), size);
 }
-TablePosition locate_grain(const AnisotropicGgx& ggx, int grains) {
-  return locate(share(root_of(ggx.alpha_x), root_of(ggx.alpha_y), 1.0f), grains);
+TablePosition locate_grain(const AnisotropicGgx& ggx, int size) {
+  if (size == 1) return {0, 0.0f};
+  return locate(share(root_of(ggx.alpha_x), root_of(ggx.alpha_y), 1.0f), size);
+}
+AnisotropicGgx ggx_at(int roughness, int roughnesses, int grain, int grains) {
+  const float alpha_y = sqr(albedo_roughness(roughness, roughnesses)), root = root_of(alpha_y);
+  return {alpha_of(root + (1.0f - root) * static_cast<float>(grain) / static_cast<float>(grains - 1)),
+          alpha_y};
 }
 
-std::size_t entry(int roughness, int grain, int azimuth, int cosine) {
-  return static_cast<std::size_t>(((roughness * kGrains + grain) * kAzimuths + azimuth) * kCosines + cosine);
-}
-
-/// The isotropic surface that is most like it: at grazing angles of the α that the direction sees, from above
-/// of the mean.
-Weights alike(const AnisotropicGgx& ggx, float seen, float cos_theta) {
-  const float mean = root_of(std::sqrt(0.5f * (sqr(ggx.alpha_x) + sqr(ggx.alpha_y))));
-  const float alpha = alpha_of(mean + (root_of(seen) - mean) * sqr(sqr(1.0f - cos_theta)));
-  return FresnelAlbedo::table().directional(cos_theta, std::sqrt(alpha));
+/// Calls f(i, j, weight) for the nodes of two axes around a place.
+template <typename F>
+void for_corners(TablePosition a, TablePosition b, const F& f) {
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j)
+      if (const float weight = a.weight(i) * b.weight(j); weight > 0.0f) f(a.cell + i, b.cell + j, weight);
 }
 
 }  // namespace
 
-const GrainAlbedo& GrainAlbedo::table() {
-  static const GrainAlbedo table;
+std::size_t GrainAlbedo::row(int roughness, int grain, int azimuth) const {
+  return static_cast<std::size_t>((roughness * axes_.grains + grain) * axes_.azimuths + azimuth);
+}
+
+GrainAlbedo::GrainAlbedo(const AnisotropicGgx& ggx) : axes_{1, 1, 48, {32, 4}, 1, 1} {
+  fill([&](int, int, int, int) { return ggx; }, 1024);
+}
+
+GrainAlbedo::GrainAlbedo() : axes_{24, 24, 20, {16, 2}, 47, 47} {
+  fill(ggx_at, 256);
+}
+
+std::shared_ptr<const GrainAlbedo> GrainAlbedo::of_all() {
+  static const std::shared_ptr<const GrainAlbedo> table(new GrainAlbedo);
   return table;
 }
 
-GrainAlbedo::GrainAlbedo()
-    : correction_(entry(kRoughnesses, 0, 0, 0)), average_(kFineRoughnesses * kFineGrains) {
-  tbb::parallel_for(0, kRoughnesses * kGrains, [&](int i) {
-    const int r = i / kGrains, g = i % kGrains;
-    const AnisotropicGgx ggx = ggx_at(r, kRoughnesses, g, kGrains);
-    for (int a = 0; a < kAzimuths; ++a)
-      for (int c = 0; c < kCosines; ++c) {
-        const float z = albedo_cosine(c, kCosines);
-        Weights& correction = correction_[entry(r, g, a, c)];
-        correction = FresnelAlbedo::integrate(ggx, direction_at(ggx, a, z), 256);
-        correction.add(alike(ggx, alpha_seen_at(ggx, a), z), -1.0f);
-      }
+template <typename GgxAt>
+void GrainAlbedo::fill(const GgxAt& ggx_at_nodes, int samples) {
+  const VisibleNormals normals(samples);
+  const NodeCosines& cosines = axes_.cosines;
+  const auto share_of_height =
+      cosine_average_weights([&](float c) { return cosines.locate(c); }, cosines.size());
+  over_heights_.resize(row(axes_.roughnesses, 0, 0));
+  directional_.resize(over_heights_.size() * static_cast<std::size_t>(cosines.size()));
+  tbb::parallel_for(std::size_t{0}, over_heights_.size(), [&](std::size_t i) {
+    const int a = static_cast<int>(i) % axes_.azimuths, rg = static_cast<int>(i) / axes_.azimuths;
+    const AnisotropicGgx ggx =
+        ggx_at_nodes(rg / axes_.grains, axes_.roughnesses, rg % axes_.grains, axes_.grains);
+    const float azimuth = static_cast<float>(a) / static_cast<float>(axes_.azimuths - 1);
+    for (int c = 0; c < cosines.size(); ++c) {
+      const Weights w = FresnelAlbedo::integrate(normals, ggx, direction_at(ggx, azimuth, cosines[c]));
+      directional_[i * static_cast<std::size_t>(cosines.size()) + static_cast<std::size_t>(c)] = w;
+      over_heights_[i].add(w, share_of_height[static_cast<std::size_t>(c)]);
+    }
   });
-  tbb::parallel_for(0, kFineRoughnesses * kFineGrains, [&](int i) {
-    Weights& average = average_[static_cast<std::size_t>(i)];
-    average = average_of(ggx_at(i / kFineGrains, kFineRoughnesses, i % kFineGrains, kFineGrains));
-    average.missing = std::log(average.missing);
+  average_.resize(static_cast<std::size_t>(axes_.average_roughnesses * axes_.average_grains));
+  tbb::parallel_for(std::size_t{0}, average_.size(), [&](std::size_t i) {
+    const int r = static_cast<int>(i) / axes_.average_grains, g = static_cast<int>(i) % axes_.average_grains;
+    average_[i] = integrate_average(ggx_at_nodes(r, axes_.average_roughnesses, g, axes_.average_grains));
+    average_[i].missing = std::log(std::max(average_[i].missing, 1e-7f));
   });
 }
 
-Weights GrainAlbedo::average_of(const AnisotropicGgx& ggx) const {
-  constexpr int kTurns = 32, kHeights = 64;
+Weights GrainAlbedo::integrate_average(const AnisotropicGgx& ggx) const {
+  constexpr int kTurns = 128;  // of a quarter
+  std::vector<float> share_of_azimuth(static_cast<std::size_t>(axes_.azimuths));
+  for (int i = 0; i < kTurns; ++i) {
+    const SinCos phi = sin_cos_two_pi(0.25f * (static_cast<float>(i) + 0.5f) / kTurns);
+    const TablePosition place =
+        locate(azimuth_of(alpha_seen({phi.cos, phi.sin, 0.0f}, ggx), ggx), axes_.azimuths);
+    for (int end = 0; end < 2; ++end)
+      share_of_azimuth[static_cast<std::size_t>(place.cell + end)] += place.weight(end) / kTurns;
+  }
   Weights average;
-  for (int i = 0; i < kTurns; ++i)
-    for (int j = 0; j < kHeights; ++j) {  // μ = x³, 2μ dμ = 6x⁵ dx
-      const SinCos phi = sin_cos_two_pi(0.25f * (static_cast<float>(i) + 0.5f) / kTurns);
-      const float x = (static_cast<float>(j) + 0.5f) / kHeights, z = x * x * x, r = std::sqrt(1.0f - z * z);
-      average.add(directional({r * phi.cos, r * phi.sin, z}, ggx),
-                  6.0f * sqr(sqr(x)) * x / (kTurns * kHeights));
-    }
+  for_corners(locate_roughness_of(ggx, axes_.roughnesses), locate_grain(ggx, axes_.grains),
+              [&](int r, int g, float weight) {
+                for (int a = 0; a < axes_.azimuths; ++a)
+                  average.add(over_heights_[row(r, g, a)],
+                              weight * share_of_azimuth[static_cast<std::size_t>(a)]);
+              });
   return average;
 }
 
 Weights GrainAlbedo::directional(Vec3f w, const AnisotropicGgx& ggx) const {
-  const float seen = alpha_seen(w, ggx);
-  const auto r = locate_roughness_of(ggx, kRoughnesses), g = locate_grain(ggx, kGrains),
-             a = locate(share(root_of(seen), root_of(ggx.alpha_y), root_of(ggx.alpha_x)), kAzimuths),
-             c = locate_cosine(w.z, kCosines);
-  Weights correction;
-  for (int i = 0; i < 16; ++i) {
-    const int dr = i & 1, dg = i >> 1 & 1, da = i >> 2 & 1, dc = i >> 3 & 1;
-    const float weight = r.weight(dr) * g.weight(dg) * a.weight(da) * c.weight(dc);
-    if (weight > 0.0f)
-      correction.add(correction_[entry(r.cell + dr, g.cell + dg, a.cell + da, c.cell + dc)], weight);
-  }
-  Weights weights = alike(ggx, seen, w.z);
-  weights.add(correction, 1.0f);
-  weights.missing = std::clamp(weights.missing, 1e-7f, 1.0f);
-  weights.f0 = 1.0f - weights.missing - weights.f90;
+  const auto a = locate(azimuth_of(alpha_seen(w, ggx), ggx), axes_.azimuths), c = axes_.cosines.locate(w.z);
+  const auto cosines = static_cast<std::size_t>(axes_.cosines.size());
+  Weights weights;
+  for_corners(locate_roughness_of(ggx, axes_.roughnesses), locate_grain(ggx, axes_.grains),
+              [&](int r, int g, float outer) {
+                for_corners(a, c, [&](int azimuth, int cosine, float inner) {
+                  weights.add(directional_[row(r, g, azimuth) * cosines + static_cast<std::size_t>(cosine)],
+                              outer * inner);
+                });
+              });
   return weights;
 }
 
 Weights GrainAlbedo::average(const AnisotropicGgx& ggx) const {
-  const auto r = locate_roughness_of(ggx, kFineRoughnesses), g = locate_grain(ggx, kFineGrains);
   Weights weights;
-  for (int dr = 0; dr < 2; ++dr)
-    for (int dg = 0; dg < 2; ++dg)
-      weights.add(average_[static_cast<std::size_t>((r.cell + dr) * kFineGrains + g.cell + dg)],
-                  r.weight(dr) * g.weight(dg));
+  for_corners(locate_roughness_of(ggx, axes_.average_roughnesses), locate_grain(ggx, axes_.average_grains),
+              [&](int r, int g, float weight) {
+                weights.add(average_[static_cast<std::size_t>(r * axes_.average_grains + g)], weight);
+              });
   weights.missing = std::exp(weights.missing);
   weights.f0 = 1.0f - weights.missing - weights.f90;
   return weights;

@@ -8,8 +8,10 @@ namespace photopic {
 
 /// KHR_materials_clearcoat over KHR_materials_sheen over a GlossyBase. Each layer receives what those above
 /// it do not reflect towards wo, by their directional albedo: no energy is gained or lost. As in glTF's own
-/// layering the share depends on wo alone, so coats are not reciprocal. A coat with a normal of its own loses
-/// what it sends below the base's horizon.
+/// layering the share T depends on wo alone, so coats are not reciprocal. Symmetric shares are, but miss the
+/// 0.5 % by far where the base is a white metal under a smooth coat: T(wo)·T(wi) over its mean is 13 % of all
+/// light off at roughness 0.3 and 3 % at 1, √(T(wo)·T(wi)) 16 and 21 %; what is exact depends on the base's
+/// own lobe. A coat with a normal of its own loses what it sends below the base's horizon.
 template <int N>
 class LayeredBsdf {
  public:

@@ -1,6 +1,5 @@
 #include "core/prepared_scene.h"
 
-#include "core/grain_albedo.h"
 #include "core/rough_glass.h"
 #include "core/sheen.h"
 #include "core/touching.h"
@@ -26,7 +25,6 @@ PreparedScene::PreparedScene(Scene source)
     if (!used[i]) continue;
     if (!s.extensions) continue;
     FresnelAlbedo::table();
-    if (s.extensions->anisotropy > 0.0f) GrainAlbedo::table();
     if (s.extensions->has_sheen()) SheenAlbedo::table();
   }
 }

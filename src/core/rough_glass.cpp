@@ -55,9 +55,9 @@ void prepare_rough_glass(Surface& glass, std::span<const Surface> others) {
   thin_out(ratios);
   if (ratios.empty()) return;  // where there is no change of index, nothing scatters
   const bool varies = glass.textures && glass.textures->metallic_roughness;
-  const float least = varies ? 0.0f : glass.roughness;
-  glass.glass_albedo =
-      std::make_shared<const GlassAlbedo>(std::move(ratios), GlassAlbedo::Range{least, glass.roughness});
+  const bool has_film = glass.extensions && glass.extensions->iridescence > 0.0f;
+  const GlassAlbedo::Range roughness{varies ? 0.0f : glass.roughness, glass.roughness};
+  glass.glass_albedo = std::make_shared<const GlassAlbedo>(std::move(ratios), roughness, has_film);
 }
 
 void prepare_rough_glass(std::span<Surface> surfaces) {

@@ -2,7 +2,7 @@
 
 #include "core/bsdf.h"
 #include "core/fresnel.h"
-#include "core/ggx_albedo.h"
+#include "core/further_glass.h"
 #include "core/microfacet.h"
 #include "spectral/refractive_index.h"
 
@@ -45,37 +45,37 @@ class SpectralGlassBsdf {
       if (!smooth() && is_index_matched(ior_[j] / outside_[j])) ior_.v[j] = outside_[j] * kLeastRoughIor;
       eta_.v[j] = !solid_ || side_ > 0.0f ? ior_[j] / outside_[j] : outside_[j] / ior_[j];
       phase_.v[j] = 2.0f * kPi * thickness / m.lambda()[j];
-      gain_.v[j] = smooth() || wo_.z == 0.0f ? 1.0f : 1.0f / kept(m, j);
     }
     disperses_ = solid_ && (m.surface().disperses() || m.outside_disperses());
-    if (!smooth() && wo_.z > 0.0f) g1_ = ggx_.g1(wo_);
+    if (smooth() || wo_.z == 0.0f) return;
+    g1_ = ggx_.g1(wo_);
+    for (int j = 0; j < N; ++j) {
+      further_[static_cast<std::size_t>(j)] = further(m, j);
+      p_further_ += q_[j] * further_[static_cast<std::size_t>(j)].missing;
+    }
   }
 
   BsdfValue<N> evaluate(Vec3f wi) const {
     wi.z *= side_;
     if (smooth() || wo_.z == 0.0f || wi.z == 0.0f) return {};
-    if (wi.z > 0.0f) return evaluate_mirrored(wi, true);
-    if (solid_) return evaluate_refraction(wi);
-    wi.z = -wi.z;
-    return evaluate_mirrored(wi, false);
+    if (wi.z > 0.0f) return with_further(evaluate_mirrored(wi, true), wi);
+    if (solid_) return with_further(evaluate_refraction(wi), wi);
+    return with_further(evaluate_mirrored({wi.x, wi.y, -wi.z}, false), wi);
   }
 
   std::optional<BsdfSample<N>> sample(float u_lobe, Sample2d u) const {
     if (wo_.z == 0.0f) return {};
-    const Vec3f m = smooth() ? Vec3f{0, 0, 1} : ggx_.sample_visible(wo_, u);
-    const SampledSpectrum<N> f = reflectance(dot(wo_, m));
-    const float reflected = (q_ * f).sum();
-    auto s = u_lobe < reflected ? bounce(m, f / reflected)
-             : !solid_          ? pass(m, tint_ * (SampledSpectrum<N>(1.0f) - f) / (1.0f - reflected))
-                                : cross(m, f, u_lobe - reflected);
+    auto s = u_lobe < p_further_
+                 ? sample_further(u_lobe, u)
+                 : sample_one(std::min((u_lobe - p_further_) / (1.0f - p_further_), 0x1.fffffep-1f), u);
     if (!s) return {};
+    s->wi.z *= side_;
     if (!smooth()) {
-      const BsdfValue<N> value = evaluate({s->wi.x, s->wi.y, s->wi.z * side_});
+      const BsdfValue<N> value = evaluate(s->wi);
       if (value.pdf == 0.0f) return {};
       s->delta = s->split = false;
       s->pdf = value.pdf, s->weight = value.f_cos / value.pdf;
     }
-    s->wi.z *= side_;
     return s;
   }
 
@@ -105,10 +105,69 @@ class SpectralGlassBsdf {
     return ThinFilm{from, film_ior_, {to}, phase_[j]}.reflectance(cos_i);
   }
 
-  float kept(const ShadingMaterial<N>& m, int j) const {
-    if (!solid_) return 1.0f - GgxAlbedo::directional(wo_.z, m.roughness()).missing;
+  /// One bounce or passage. @param u_lobe uniform
+  std::optional<BsdfSample<N>> sample_one(float u_lobe, Sample2d u) const {
+    const Vec3f m = smooth() ? Vec3f{0, 0, 1} : ggx_.sample_visible(wo_, u);
+    const SampledSpectrum<N> f = reflectance(dot(wo_, m));
+    const float reflected = (q_ * f).sum();
+    if (u_lobe < reflected) return bounce(m, f / reflected);
+    if (!solid_) return pass(m, tint_ * (SampledSpectrum<N>(1.0f) - f) / (1.0f - reflected));
+    return cross(m, f, u_lobe - reflected);
+  }
+
+  /// The direction of further bounces, drawn for one wavelength. @param u uniform in [0, p_further_)
+  std::optional<BsdfSample<N>> sample_further(float u, Sample2d u_direction) const {
+    int k = 0;
+    float share = q_[0] * further_[0].missing;
+    while (k < N - 1 && u >= share) {
+      u -= share;
+      const auto next = static_cast<std::size_t>(++k);
+      share = q_[k] * further_[next].missing;
+    }
+    const auto chosen = static_cast<std::size_t>(k);
+    const Vec3f wi = further_[chosen].sample(share > 0.0f ? std::min(u / share, 1.0f) : 0.0f, u_direction);
+    if (wi.z == 0.0f) return {};
+    BsdfSample<N> s{wi, SampledSpectrum<N>(0.0f), 0.0f, false};
+    if (solid_ && wi.z < 0.0f) s.eta = eta_[k];
+    return s;
+  }
+
+  FurtherGlass further(const ShadingMaterial<N>& m, int j) const {
+    if (!solid_) return FurtherGlass::of_thin_wall(wo_.z, m.roughness(), mean_reflectance(j));
     const auto& albedo = m.surface().glass_albedo;  // none where no wavelength is refracted
-    return albedo ? (*albedo)(wo_.z, m.roughness(), eta_[j], specular_of(j)) : 1.0f;
+    if (!albedo) return {};
+    GlassAlbedo::Reflection reflection{specular_of(j), {}};
+    if (film_ > 0.0f) reflection.film = film_difference(j);
+    return FurtherGlass::of_solid(*albedo, wo_.z, m.roughness(), eta_[j], reflection);
+  }
+  float mean_reflectance(int j) const {
+    const float f = reflectance(FurtherGlass::kMeanCosine, j);
+    return 2.0f * f / (1.0f + f);
+  }
+
+  /// Adds further bounces to one bounce's value; densities are shared out. wi as wo_ stands.
+  BsdfValue<N> with_further(BsdfValue<N> one, Vec3f wi) const {
+    one.pdf *= 1.0f - p_further_;
+    for (int j = 0; j < N; ++j) {
+      const FurtherGlass& g = further_[static_cast<std::size_t>(j)];
+      one.f_cos.v[j] += g.f_cos(wi.z) * (wi.z > 0.0f ? 1.0f : tint_[j]);
+      one.pdf += q_[j] * g.missing * g.pdf(wi.z);
+    }
+    return one;
+  }
+
+  /// What the film adds to the reflectance, as the albedo wants it; alike from either side.
+  GlassAlbedo::Film film_difference(int j) const {
+    const float thin = std::min(ior_[j], outside_[j]), dense = std::max(ior_[j], outside_[j]);
+    GlassAlbedo::Film film;
+    for (int k = 0; k < GlassAlbedo::kFilmNodes; ++k) {
+      const float c = GlassAlbedo::film_node(k), bare = fresnel_dielectric(c, dense / thin);
+      const float filmed = ThinFilm{thin, film_ior_, {dense}, phase_[j]}.reflectance(c);
+      film[static_cast<std::size_t>(k)] =
+          specular_of(j).scaled(bare + film_ * (filmed - bare), c, dense / thin) -
+          specular_of(j).scaled(bare, c, dense / thin);
+    }
+    return film;
   }
 
   std::optional<BsdfSample<N>> bounce(Vec3f m, SampledSpectrum<N> weight) const {
@@ -152,8 +211,7 @@ class SpectralGlassBsdf {
     const SampledSpectrum<N> f = reflectance(dot(wo_, m));
     const SampledSpectrum<N> share = reflected ? f : SampledSpectrum<N>(1.0f) - f;
     const float d = ggx_.d(m) / (4.0f * wo_.z);
-    return {(reflected ? share : share * tint_) * gain_ * (d * ggx_.g2(wo_, wi)),
-            (q_ * share).sum() * d * g1_};
+    return {(reflected ? share : share * tint_) * (d * ggx_.g2(wo_, wi)), (q_ * share).sum() * d * g1_};
   }
 
   BsdfValue<N> evaluate_refraction(Vec3f wi) const {
@@ -166,7 +224,7 @@ class SpectralGlassBsdf {
       if (cos_o <= 0.0f || dot(wi, m) >= 0.0f) continue;
       const float common = (1.0f - reflectance(cos_o, j)) * ggx_.d(m) * cos_o / wo_.z *
                            refraction_jacobian(wo_, wi, m, eta_[j]);
-      value.f_cos.v[j] = tint_[j] * common * gain_[j] * g2 / sqr(eta_[j]);
+      value.f_cos.v[j] = tint_[j] * common * g2 / sqr(eta_[j]);
       value.pdf += q_[j] * common * g1_;
     }
     return value;
@@ -185,8 +243,9 @@ class SpectralGlassBsdf {
   SampledSpectrum<N> outside_{1.0f};  ///< index of the medium in front
   SampledSpectrum<N> eta_;            ///< η_t/η_i
   SampledSpectrum<N> phase_;          ///< of the film: 2π·thickness/λ
-  SampledSpectrum<N> gain_;           ///< 1/(share that one bounce keeps)
-  float g1_ = 1.0f;                   ///< of wo
+  std::array<FurtherGlass, N> further_;
+  float p_further_ = 0.0f;  ///< of choosing further bounces
+  float g1_ = 1.0f;         ///< of wo
 };
 
 }  // namespace photopic

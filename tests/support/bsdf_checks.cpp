@@ -199,15 +199,19 @@ Estimate sampled_albedo(const LocalBsdf& bsdf, Vec3f wo, int samples, bool scale
 }
 
 Furnace furnace(const LocalBsdf& bsdf, Vec3f wo, double ior) {
-  constexpr std::uint32_t kSequences = 8, kFewest = 256, kMost = 4096;
+  constexpr std::uint32_t kSequences = 8, kFewest = 128, kMost = 16384;
   constexpr int kLobes = 16;  // choices of the lobe at every point, equally far apart
-  constexpr double kError = 0.00125;
+  constexpr double kError = 0.001, kBound = 0.005;
   const double crossing = wo.z > 0.0f ? ior * ior : 1.0 / (ior * ior);
   std::array<double, kSequences> sums{};
   RunningMean weights;
   Furnace result{{0.0, 1.0}, 0.0, 0.0};
   std::uint32_t i = 0;
-  for (std::uint32_t end = kFewest; end <= kMost && result.albedo.error > kError; end *= 2) {
+  const auto is_decided = [&] {
+    const double error = result.albedo.error;
+    return error < kError && std::abs(std::abs(result.albedo.mean - 1.0) - kBound) > 3.0 * error;
+  };
+  for (std::uint32_t end = kFewest; end <= kMost && !is_decided(); end *= 2) {
     for (; i < end; ++i)
       for (std::uint32_t seed = 0; seed < kSequences; ++seed) {
         const SampleStream stream(Sequence::sobol, seed, 0, i);
