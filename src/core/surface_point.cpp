@@ -43,6 +43,15 @@ SurfacePoint surface_point(const Geometry& geometry, const Hit& hit) {
   return point;
 }
 
+bool meets_front(const Geometry& geometry, const Hit& hit, Vec3f direction) {
+  if (hit.instance != kNoInstance)
+    return dot(instance_point(geometry, hit).geometric_normal, direction) < 0.0f;
+  const auto& [ia, ib, ic] = geometry.triangles[hit.triangle];
+  const Vec3f a = geometry.positions[ia], ab = geometry.positions[ib] - a, ac = geometry.positions[ic] - a;
+  const float edge = std::max(max_abs(ab), max_abs(ac));  // scaled, so that tiny triangles do not underflow
+  return dot(cross(ab / edge, ac / edge), direction) < 0.0f;
+}
+
 SurfacePointLanes surface_points(const Geometry& geometry, std::span<const Hit> hits, const Packet& packet) {
   Lanes u, v;
   for (int i = 0; i < kLanes; ++i) u[i] = hits[packet[i]].u, v[i] = hits[packet[i]].v;

@@ -83,6 +83,9 @@ void bend_normal(BasicSurfacePoint<T>& point, Vec3<T> n) {
 
 SurfacePoint surface_point(const Geometry& geometry, const Hit& hit);
 
+/// Whether a ray in a direction met the front.
+bool meets_front(const Geometry& geometry, const Hit& hit, Vec3f direction);
+
 /// The same of the hits in a packet's slots.
 SurfacePointLanes surface_points(const Geometry& geometry, std::span<const Hit> hits, const Packet& packet);
 

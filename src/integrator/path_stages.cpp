@@ -148,9 +148,7 @@ void PathTracer<N, kHas>::absorb_and_emit() {
     const std::uint32_t material = geometry.shapes[hit.shape].material;
     const Surface& surface = scene_.surfaces[material];
     if (!surface.emits) continue;
-    const Vec3f normal = surface_point(geometry, hit).geometric_normal;
-    const float cos_light = -dot(normal, batch_.rays.direction[slot]);
-    if (cos_light <= 0.0f && !surface.double_sided) continue;
+    if (!surface.double_sided && !meets_front(geometry, hit, batch_.rays.direction[slot])) continue;
     float weight = surface.emission_luminance;
     if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
       weight *= power_heuristic(pdf, scene_.lights.pdf(batch_.vertex_of(slot), batch_.spectra_of(slot),

@@ -55,6 +55,10 @@ TEST(NormalMap, InstancesLikeWhatIsBaked) {
 
       const SurfacePoint a = surface_point(instanced, hit), b = surface_point(world, same);
       EXPECT_LT(length(a.shading_normal - b.shading_normal), 1e-5f);
+      for (const auto& [geometry, met] : {std::pair(&instanced, hit), std::pair(&world, same)}) {
+        EXPECT_TRUE(meets_front(*geometry, met, -a.geometric_normal));
+        EXPECT_FALSE(meets_front(*geometry, met, a.geometric_normal));
+      }
       const Vec3f bent = mapped_normal(instanced, hit, a, a.shading_normal, textures.normal,
                                        textures.normal_scale),
                   expected =
