@@ -21,7 +21,7 @@ struct PreparedScene {
   Scene scene;
   std::vector<Surface> surfaces;       ///< of Scene::materials, compiled for shading
   std::unique_ptr<const Quads> quads;  ///< of a large scene, whose triangles they reorder
-  std::vector<std::uint8_t> touching;  ///< of triangles: see touching_triangles
+  std::vector<float> touching;         ///< of triangles [m]: see touching_triangles
   Accel accel;
   LightSampler lights;
 };

@@ -102,13 +102,12 @@ bool touch(const Corners& a, const Corners& b, double reach) {
 class Search {
  public:
   Search(const Geometry& geometry, std::vector<Item> items)
-      : geometry_(geometry), items_(std::move(items)), marks_(geometry.triangles.size()) {}
+      : geometry_(geometry), items_(std::move(items)), bounds_(geometry.triangles.size()) {}
 
-  /// @return the marks
-  std::vector<std::uint8_t> run() && {
+  std::vector<float> run() && {
     within(*build(0, items_.size()));
-    if (!any_) marks_.clear();
-    return std::move(marks_);
+    if (!any_) bounds_.clear();
+    return std::move(bounds_);
   }
 
  private:
@@ -178,17 +177,19 @@ class Search {
     const Corners ca = corners_of(geometry_, a.triangle, a.instance),
                   cb = corners_of(geometry_, b.triangle, b.instance);
     const float error = std::max(error_of(geometry_, ca, a.instance), error_of(geometry_, cb, b.instance));
-    if (touch(ca, cb, kReach * error)) mark(a), mark(b);
+    if (touch(ca, cb, kReach * error)) mark(a, error), mark(b, error);
   }
 
-  void mark(const Item& i) {
-    std::atomic_ref(marks_[i.triangle]).store(1, std::memory_order_relaxed);
+  void mark(const Item& i, float error) {
+    const std::atomic_ref bound(bounds_[i.triangle]);
+    float last = bound.load(std::memory_order_relaxed);
+    while (last < error && !bound.compare_exchange_weak(last, error, std::memory_order_relaxed)) continue;
     any_.store(true, std::memory_order_relaxed);
   }
 
   const Geometry& geometry_;
   std::vector<Item> items_;
-  std::vector<std::uint8_t> marks_;
+  std::vector<float> bounds_;
   std::atomic<bool> any_ = false;
 };
 
@@ -219,7 +220,7 @@ void add_all(std::vector<Item>& items, const Geometry& geometry, std::span<const
 
 }  // namespace
 
-std::vector<std::uint8_t> touching_triangles(const Geometry& geometry, std::span<const Surface> surfaces) {
+std::vector<float> touching_triangles(const Geometry& geometry, std::span<const Surface> surfaces) {
   std::vector<Item> items;
   add_all(items, geometry, surfaces, nullptr, true);
   if (items.empty()) return {};

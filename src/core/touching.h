@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,7 +12,8 @@ namespace photopic {
 /// tell which of the two a ray meets first, or whether one that starts beside the first starts beyond the
 /// second; and those other triangles. Neighbours that share no more than an edge or a corner do not count.
 /// A prototype's triangle is marked where it touches in one of the instances.
-/// @return 1 or 0 for each of geometry.triangles; empty where nothing touches
-std::vector<std::uint8_t> touching_triangles(const Geometry& geometry, std::span<const Surface> surfaces);
+/// @return for each of geometry.triangles the larger bound on rounding, its own or that of what touches it
+/// [m], or 0; empty where nothing touches
+std::vector<float> touching_triangles(const Geometry& geometry, std::span<const Surface> surfaces);
 
 }  // namespace photopic

@@ -111,7 +111,7 @@ void add_coincidence_cases(StressList& list) {
     list.add({"coincident", with_number("dark room beside a bright one, gap", gap),
               built(neighbours(gap, 1e6)), Dark{}, 60, 20});
   }
-  for (const double gap : list.steps({0, 1e-6, 1e-5}, {0, 1e-9, 1e-8, 1e-7, 3e-7, 5e-7, 8e-7, 1e-6, 1.2e-6,
+  for (const double gap : list.steps({0, 8e-7, 1e-5}, {0, 1e-9, 1e-8, 1e-7, 3e-7, 5e-7, 8e-7, 1e-6, 1.2e-6,
                                                        1.6e-6, 2e-6, 3e-6, 1e-5, 1e-4, 1e-3})) {
     for (const double roughness : {0.0, 0.4})
       list.add({"coincident",
