@@ -73,8 +73,9 @@ void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
     fmt::print("media:    {} paths met more than 8 glasses at once; the outermost were forgotten\n",
                run.stats.media_overflows);
   if (run.stats.media_slips > 0)
-    fmt::print("media:    {} paths left a glass that they had not entered: is its mesh closed?\n",
-               run.stats.media_slips);
+    fmt::print("media:    {:.2g} % of the samples left a glass that they had not entered{}\n",
+               100.0 * static_cast<double>(run.stats.media_slips) / paths,
+               1000 * run.stats.media_slips > run.stats.paths ? ": is its mesh closed?" : ", past an edge");
   fmt::print("rays:     {:.2f} + {:.2f} shadow rays a sample\n", static_cast<double>(run.stats.rays) / paths,
              static_cast<double>(run.stats.shadow_rays) / paths);
   fmt::print("speed:    {:.3f} M samples/s, {:.3f} M rays/s\n", run.samples_per_second() * 1e-6,
