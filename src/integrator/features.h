@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "core/prepared_scene.h"
 
 namespace photopic {
