@@ -15,7 +15,7 @@ template <int N, Features kHas>
 void PathTracer<N, kHas>::finish(std::span<const PathKey> paths, Film& film) {
   std::vector<PathKey> non_finite;
   for (std::size_t slot = 0; slot < paths.size(); ++slot) {
-    if (kHas.media && !batch_.media.empty()) {
+    if (has_media()) {
       stats_.media_overflows += batch_.media[slot].overflowed();
       stats_.media_slips += batch_.media[slot].slipped();
     }

@@ -22,7 +22,7 @@ PathTracer<N, kHas>::PathTracer(const PreparedScene& scene, const WavelengthSamp
       table_(table),
       batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene),
       shading_(scene) {
-  if (kHas.media && !batch_.media.empty()) camera_media_ = media_at(scene, scene.scene.camera.position);
+  if (has_media()) camera_media_ = media_at(scene, scene.scene.camera.position);
 }
 
 template <int N, Features kHas>
@@ -43,7 +43,7 @@ void PathTracer<N, kHas>::advance(std::span<const PathKey> paths) {
     intersect();
     done(kStageIntersect);
     absorb_and_emit();
-    if (kHas.media && !batch_.media.empty()) pass_hidden_surfaces();
+    if (has_media()) pass_hidden_surfaces();
     done(kStageEmit);
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
@@ -106,7 +106,7 @@ void PathTracer<N, kHas>::leave_camera(const Packet& packet, const RayLanes& ray
     batch_.radiance[slot] = SampledSpectrum<N>(0.0f);
     batch_.bsdf_pdf[slot] = 0.0f;
     batch_.eta_scale[slot] = 1.0f;
-    if (kHas.media && !batch_.media.empty()) batch_.media[slot] = camera_media_;
+    if (has_media()) batch_.media[slot] = camera_media_;
   }
 }
 
@@ -125,7 +125,7 @@ void PathTracer<N, kHas>::escape() {
     const Vec3f direction = batch_.rays.direction[slot], rgb = environment.radiance(direction);
     SampledSpectrum<N> arriving = batch_.throughput[slot] * batch_.tints[slot](rgb.x, rgb.y, rgb.z) *
                                   batch_.emission_of(slot, environment.emission_spectrum);
-    if (kHas.media && !batch_.media.empty())
+    if (has_media())
       attenuate(arriving, scene_, batch_.media[slot].current(), batch_.wavelengths[slot].lambda,
                 std::numeric_limits<float>::infinity());
     if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
@@ -144,7 +144,7 @@ void PathTracer<N, kHas>::absorb_and_emit() {
   std::erase_if(batch_.active, [&](std::uint32_t slot) { return batch_.hits[slot].shape == kNoHit; });
   for (const std::uint32_t slot : batch_.active) {
     const Hit& hit = batch_.hits[slot];
-    if (kHas.media && !batch_.media.empty()) travel(slot);
+    if (has_media()) travel(slot);
     const std::uint32_t material = geometry.shapes[hit.shape].material;
     const Surface& surface = scene_.surfaces[material];
     if (!surface.emits) continue;

@@ -29,6 +29,7 @@ class PathTracer {
   void done(Stage stage) {
     if (watch_) watch_->after(stage);
   }
+  bool has_media() const { return kHas.media && !batch_.media.empty(); }
   /// Every stage of the paths, up to what each has gathered.
   void advance(std::span<const PathKey> paths);
   void start(std::span<const PathKey> paths);

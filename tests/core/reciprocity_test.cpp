@@ -12,13 +12,12 @@ using namespace test;
 const ConstantSpectrum kGrey{0.6};
 
 struct Directions {
-  Vec3f a, b, c;
+  Vec3f a, b;
 };
 /// In the upper hemisphere.
 Directions directions(std::uint32_t i) {
   const SampleStream stream(Sequence::independent, 2, 0, i);
-  return {sample_cosine_hemisphere(stream.get_2d(0)), sample_cosine_hemisphere(stream.get_2d(1)),
-          sample_cosine_hemisphere(stream.get_2d(2))};
+  return {sample_cosine_hemisphere(stream.get_2d(0)), sample_cosine_hemisphere(stream.get_2d(1))};
 }
 double brdf(const LocalBsdf& bsdf, Vec3f wo, Vec3f wi) {
   return bsdf.evaluate(wo, wi).f_cos / std::abs(wi.z);
@@ -27,7 +26,7 @@ double brdf(const LocalBsdf& bsdf, Vec3f wo, Vec3f wi) {
 void expect_reciprocal(const Material& m, const std::string& what) {
   const LocalBsdf bsdf = local_bsdf(m);
   for (std::uint32_t i = 0; i < 200; ++i) {
-    const auto [a, b, c] = directions(i);
+    const auto [a, b] = directions(i);
     const double ab = brdf(bsdf, a, b), ba = brdf(bsdf, b, a);
     EXPECT_NEAR(ab, ba, 1e-3 * (ab + 1e-3)) << what << " roughness " << m.roughness;
   }
@@ -59,7 +58,7 @@ TEST(Reciprocity, DiffuseTransmission) {
   for (const Material& m : {translucent(plastic(kGrey, 0.3f)), translucent(diffuse(kGrey), 0.8f)}) {
     const LocalBsdf bsdf = local_bsdf(m);
     for (std::uint32_t i = 0; i < 200; ++i) {
-      const auto [a, b, c] = directions(i);
+      const auto [a, b] = directions(i);
       const double ab = brdf(bsdf, a, other_side(b)), ba = brdf(bsdf, b, other_side(a));
       EXPECT_NEAR(ab, ba, 1e-3 * (ab + 1e-3));
     }
@@ -73,7 +72,7 @@ void expect_glass_reciprocal(const Material& m, double ior, int lane = 0) {
   const auto index2 = [&](Vec3f w) { return w.z > 0.0f ? 1.0 : ior * ior; };
   int compared = 0;
   for (std::uint32_t i = 0; i < 200; ++i) {
-    const auto [a, b, c] = directions(i);
+    const auto [a, b] = directions(i);
     for (const auto& [wo, wi] : {std::pair{a, b}, {a, -b}, {-a, -b}}) {
       const double ab = brdf(bsdf, wo, wi) * index2(wi), ba = brdf(bsdf, wi, wo) * index2(wo);
       EXPECT_NEAR(ab, ba, 2e-3 * (ab + 1e-3)) << m.roughness << ' ' << wo.z << ' ' << wi.z;
@@ -107,7 +106,7 @@ TEST(Reciprocity, CoatsButForTheirShare) {
     const LocalBsdf whole = local_bsdf(coated(plastic(kGrey, 0.4f), roughness)),
                     coat = local_bsdf(coated(diffuse(ConstantSpectrum{0.0}), roughness));
     for (std::uint32_t i = 0; i < 20; ++i) {
-      const auto [a, b, c] = directions(i);
+      const auto [a, b] = directions(i);
       const double let_through_a = 1.0 - furnace(coat, a).albedo.mean,
                    let_through_b = 1.0 - furnace(coat, b).albedo.mean;
       const double ab = (brdf(whole, a, b) - brdf(coat, a, b)) / let_through_a,

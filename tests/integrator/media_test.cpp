@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/fresnel.h"
 #include "support/render_checks.h"
+#include "support/slabs.h"
 
 namespace photopic {
 namespace {
@@ -11,42 +11,6 @@ namespace {
 using namespace test;
 
 constexpr double kLamp = 10.0;  // [cd/m²]
-
-/// Glass that keeps a share of light over a metre.
-Material tinted(float ior, double share, int priority = 0) {
-  Material m = solid_glass(ior, 0.0f);
-  m.attenuation_color = ConstantSpectrum{share};
-  m.attenuation_distance = 1.0f;
-  m.priority = priority;
-  return m;
-}
-
-/// A layer across z, from below; the light comes from above.
-struct Layer {
-  double ior, thickness, share;
-};
-
-/// What a ray downwards at a sine to the normal, in air, meets: Snell, Fresnel, Beer, without reflections.
-struct Refracted {
-  double offset = 0.0, transmittance = 1.0;
-};
-Refracted refracted(const std::vector<Layer>& layers, double sine) {
-  Refracted r;
-  double last = 1.0;
-  const auto cross_into = [&](double ior) {
-    const double cosine = std::sqrt(1.0 - sine * sine / (last * last));
-    r.transmittance *= 1.0 - fresnel_dielectric(static_cast<float>(cosine), static_cast<float>(ior / last));
-    last = ior;
-  };
-  for (const Layer& layer : layers) {
-    cross_into(layer.ior);
-    const double s = sine / layer.ior, c = std::sqrt(1.0 - s * s);
-    r.offset += layer.thickness * s / c;
-    r.transmittance *= std::pow(layer.share, layer.thickness / c);
-  }
-  cross_into(1.0);
-  return r;
-}
 
 /// Looks through layers between z = 0 and their top at an angle, where a lamp no wider than 1 % of the way
 /// must be seen in full.

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/fresnel.h"
 #include "support/render_checks.h"
+#include "support/slabs.h"
 
 namespace photopic {
 namespace {
@@ -12,14 +12,6 @@ using namespace test;
 
 /// From none to a thousandth of the scene, over all that rounding does.
 constexpr double kGaps[] = {0, 1e-9, 1e-7, 3e-7, 8e-7, 1e-6, 1.5e-6, 2e-6, 3e-6, 1e-5, 1e-3};
-
-Material tinted(float ior, double share, int priority = 0) {
-  Material m = solid_glass(ior, 0.0f);
-  m.attenuation_color = ConstantSpectrum{share};
-  m.attenuation_distance = 1.0f;
-  m.priority = priority;
-  return m;
-}
 
 /// A shining room of 3 cd/m², in which what loses nothing is not seen.
 SceneBuilder shining_room() {
@@ -123,32 +115,6 @@ TEST(TouchingSolids, RepeatedMeshesCountOnce) {
   const Film two = render_finite(room({tinted(1.5f, 0.2, 2), tinted(2.4f, 0.9, 1)}, 2), 400, 12, 3);
   expect_same_image(twice, once, 2, "of one glass");
   expect_same_image(two, once, 2, "of two");
-}
-
-struct Layer {
-  double ior, thickness, share;
-};
-
-/// What a ray downwards at a sine to the normal, in air, meets: Snell, Fresnel, Beer, without reflections.
-struct Refracted {
-  double offset = 0.0, transmittance = 1.0;
-};
-Refracted refracted(const std::vector<Layer>& layers, double sine) {
-  Refracted r;
-  double last = 1.0;
-  const auto cross_into = [&](double ior) {
-    const double cosine = std::sqrt(1.0 - sine * sine / (last * last));
-    r.transmittance *= 1.0 - fresnel_dielectric(static_cast<float>(cosine), static_cast<float>(ior / last));
-    last = ior;
-  };
-  for (const Layer& layer : layers) {
-    cross_into(layer.ior);
-    const double s = sine / layer.ior, c = std::sqrt(1.0 - s * s);
-    r.offset += layer.thickness * s / c;
-    r.transmittance *= std::pow(layer.share, layer.thickness / c);
-  }
-  cross_into(1.0);
-  return r;
 }
 
 /// Glass on water on ice on glass, touching in planes of one size and of several: each pair of neighbours is
