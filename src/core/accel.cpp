@@ -36,8 +36,7 @@ void load(const RayArray& rays, const Packet& slots, RTCRay16& packet, std::arra
   store(packet.dir_x, d.x), store(packet.dir_y, d.y), store(packet.dir_z, d.z);
   store(packet.tnear, Lanes{}), store(packet.time, Lanes{});
   store(packet.mask, ~UintLanes{}), store(packet.flags, UintLanes{});
-  constexpr IntLanes kLane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-  store(valid.data(), is_traceable(RayLanes{o, d}) & (kLane < slots.count));
+  store(valid.data(), is_traceable(RayLanes{o, d}) & slots.used());
 }
 
 }  // namespace
@@ -84,7 +83,8 @@ double Accel::radius() const {
   return 0.5 * std::sqrt(x * x + y * y + z * z);
 }
 
-void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits) const {
+void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits,
+                      bool coherent) const {
   for (std::size_t first = 0; first < slots.size(); first += kPacket) {
     const Packet packet(slots, first);
     alignas(64) RTCRayHit16 query;
@@ -92,7 +92,7 @@ void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots
     load(rays, packet, query.ray, valid);
     store(query.ray.tfar, Lanes{} + std::numeric_limits<float>::infinity());
     store(query.hit.geomID, UintLanes{} + RTC_INVALID_GEOMETRY_ID);
-    tree_->intersect(valid.data(), query);
+    tree_->intersect(valid.data(), query, coherent);
     for (int i = 0; i < packet.count; ++i) {
       const auto& hit = query.hit;
       hits[packet[i]] =

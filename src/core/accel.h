@@ -62,8 +62,10 @@ class Accel {
   Accel& operator=(Accel&&) noexcept;
 
   /// The nearest hit with 0 < t of the rays in the given slots. What is not traceable hits nothing, here and
-  /// below.
-  void intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits) const;
+  /// below. @param coherent whether the rays go nearly the same way, as those from the camera do: it changes
+  /// how they are traced, not what they hit
+  void intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits,
+                 bool coherent = false) const;
 
   /// Whether something lies at 0 < t < t_max, 1 or 0 a slot.
   void occluded(const RayArray& rays, std::span<const std::uint32_t> slots,

@@ -50,12 +50,16 @@ class Accel::Tree {
     return query;
   }
 
-  void intersect(const int* valid, RTCRayHit16& query) const {
+  void intersect(const int* valid, RTCRayHit16& query, bool coherent) const {
 #if RTC_VERSION_MAJOR >= 4
-    rtcIntersect16(valid, scene(), &query);
+    RTCIntersectArguments arguments;
+    rtcInitIntersectArguments(&arguments);
+    if (coherent) arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcIntersect16(valid, scene(), &query, &arguments);
 #else
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+    if (coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(valid, scene(), &context, &query);
 #endif
   }

@@ -14,14 +14,17 @@ namespace photopic {
 inline constexpr float kSmoothRoughness = 0.0316228f;
 inline constexpr float kSmoothRoughnessRoot = 0.4216965f;  ///< its fourth root
 
-inline float fourth_root(float x) {
-  return std::sqrt(safe_sqrt(x));
+template <typename T>
+T fourth_root(T x) {
+  return sqrt(safe_sqrt(x));
 }
 
-inline TablePosition locate_cosine(float cos_theta, int size) {
+template <typename T>
+BasicTablePosition<T> locate_cosine(T cos_theta, int size) {
   return locate(fourth_root(cos_theta), size);
 }
-inline TablePosition locate_roughness(float roughness, int size) {
+template <typename T>
+BasicTablePosition<T> locate_roughness(T roughness, int size) {
   return locate((fourth_root(roughness) - kSmoothRoughnessRoot) / (1.0f - kSmoothRoughnessRoot), size);
 }
 

@@ -19,8 +19,9 @@ inline float fresnel_dielectric(float cos_i, float eta) {
 }
 
 /// Schlick's (1 − cos θ)⁵.
-inline float schlick_weight(float cos_theta) {
-  const float x = std::clamp(1.0f - cos_theta, 0.0f, 1.0f);
+template <typename T>
+T schlick_weight(T cos_theta) {
+  const T x = min(max(1.0f - cos_theta, T{}), T{} + 1.0f);
   return sqr(sqr(x)) * x;
 }
 

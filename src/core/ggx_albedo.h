@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/lanes.h"
+
 namespace photopic {
 
 /// The energy that one bounce off a rough GGX surface keeps, as the two factors of Schlick's Fresnel term:
@@ -8,22 +10,33 @@ namespace photopic {
 /// the program is built (60 ms of one core, which every start would take).
 class GgxAlbedo {
  public:
-  struct Factors {
-    float missing;  ///< 1 − scale − bias, exact where it is tiny
-    float bias;
-    float scale() const { return 1.0f - missing - bias; }
+  template <typename T>
+  struct BasicFactors {
+    T missing;  ///< 1 − scale − bias, exact where it is tiny
+    T bias;
+    T scale() const { return 1.0f - missing - bias; }
   };
+  using Factors = BasicFactors<float>;
 
   /// Directional albedo factors at cos θ in [0, 1] and roughness = sqrt(α) in [0, 1].
-  static Factors directional(float cos_theta, float roughness);
+  template <typename T>
+  static BasicFactors<T> directional(T cos_theta, T roughness);
   /// Their cosine-weighted averages, 2∫ … μ dμ.
-  static Factors average(float roughness);
+  template <typename T>
+  static BasicFactors<T> average(T roughness);
 
   static constexpr int kCosines = 64, kRoughnesses = 32;  ///< of the axes of albedo_axes.h
 
  private:
-  static const Factors kTable[kRoughnesses]
-                             [kCosines + 1];  ///< generated; the last of each row is the average
+  /// Generated; the last of each row is the average.
+  static const Factors kTable[kRoughnesses][kCosines + 1];
+
+  template <typename T>
+  struct Pair;
+  static Pair<float> two_of(int row, int first);
+  static Pair<Lanes> two_of(IntLanes row, IntLanes first);
+  static Factors mean_of(int row);
+  static BasicFactors<Lanes> mean_of(IntLanes row);
 };
 
 }  // namespace photopic

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -30,14 +31,48 @@ inline IntLanes select(IntLanes condition, IntLanes a, IntLanes b) {
   return condition ? a : b;
 }
 
-/// Whether a mask is set in any lane.
-inline bool any(bool mask) {
-  return mask;
+/// What comparisons of T give.
+template <typename T>
+using Mask = decltype(T{} < T{});
+
+/// Bit i tells of lane i.
+inline std::uint32_t bits_of(bool mask) {
+  return mask ? 1 : 0;
 }
-inline bool any(IntLanes mask) {
-  std::int32_t all = 0;
-  for (int i = 0; i < kLanes; ++i) all |= mask[i];
-  return all != 0;
+inline std::uint32_t bits_of(IntLanes mask) {
+  constexpr IntLanes kBit{1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+                          1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+  IntLanes b = mask & kBit;
+  b |= __builtin_shufflevector(b, b, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7);
+  b |= __builtin_shufflevector(b, b, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11);
+  return static_cast<std::uint32_t>(b[0] | b[1] | b[2] | b[3]);
+}
+
+/// Whether a mask is set in any lane.
+template <typename M>
+bool any(M mask) {
+  return bits_of(mask) != 0;
+}
+
+/// Calls f with the numbers of the lanes in which a mask is set: which they are cannot be foretold, so a
+/// branch for each would be foretold wrong.
+template <typename M, typename F>
+void for_each_lane(M mask, const F& f) {
+  for (std::uint32_t bits = bits_of(mask); bits != 0; bits &= bits - 1) f(std::countr_zero(bits));
+}
+
+/// One of the numbers; a single number has lane 0.
+inline float lane(float a, int) {
+  return a;
+}
+inline float lane(Lanes a, int i) {
+  return a[i];
+}
+inline void set_lane(float& a, int, float value) {
+  a = value;
+}
+inline void set_lane(Lanes& a, int i, float value) {
+  a[i] = value;
 }
 
 // On floats the names below mean the standard library's functions.
@@ -80,6 +115,12 @@ inline Lanes to_float(DoubleLanes a) {
 inline DoubleLanes to_double(Lanes a) {
   return __builtin_convertvector(a, DoubleLanes);
 }
+inline float to_float(std::int32_t a) {
+  return static_cast<float>(a);
+}
+inline Lanes to_float(IntLanes a) {
+  return __builtin_convertvector(a, Lanes);
+}
 /// Of integers below 2^31.
 inline float to_float(std::uint32_t a) {
   return static_cast<float>(a);
@@ -88,22 +129,49 @@ inline Lanes to_float(UintLanes a) {
   return __builtin_convertvector(reinterpret_cast<IntLanes>(a), Lanes);
 }
 
+/// A perfect shuffle of all numbers in some rows: the first half, then in turn with it the second.
+template <std::size_t kRows>
+std::array<Lanes, kRows> interleave(const std::array<Lanes, kRows>& m) {
+  std::array<Lanes, kRows> next;
+  for (std::size_t k = 0; k < kRows / 2; ++k) {
+    const Lanes a = m[k], b = m[k + kRows / 2];
+    next[2 * k] = __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
+    next[2 * k + 1] =
+        __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
+  }
+  return next;
+}
+/// The way back: numbers at even places, then those at odd ones.
+template <std::size_t kRows>
+std::array<Lanes, kRows> deinterleave(const std::array<Lanes, kRows>& m) {
+  std::array<Lanes, kRows> next;
+  for (std::size_t k = 0; k < kRows / 2; ++k) {
+    const Lanes a = m[2 * k], b = m[2 * k + 1];
+    next[k] = __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+    next[k + kRows / 2] =
+        __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31);
+  }
+  return next;
+}
+
 /// Rows of numbers, a vector each.
 using LaneMatrix = std::array<Lanes, kLanes>;
 
-/// Four perfect shuffles of the upper rows with the lower.
-inline LaneMatrix transpose(LaneMatrix m) {
-  for (int i = 0; i < 4; ++i) {
-    LaneMatrix next;
-    for (std::size_t k = 0; k < kLanes / 2; ++k) {
-      const Lanes a = m[k], b = m[k + kLanes / 2];
-      next[2 * k] = __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23);
-      next[2 * k + 1] =
-          __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28, 13, 29, 14, 30, 15, 31);
-    }
-    m = next;
-  }
-  return m;
+inline LaneMatrix transpose(const LaneMatrix& m) {
+  return interleave(interleave(interleave(interleave(m))));
+}
+
+/// Sixteen rows of n numbers, one after the other in memory, as n columns; n is 2^k.
+template <std::size_t n>
+std::array<Lanes, n> columns(std::array<Lanes, n> rows) {
+  for (std::size_t i = 1; i < n; i *= 2) rows = deinterleave(rows);
+  return rows;
+}
+/// The way back.
+template <std::size_t n>
+std::array<Lanes, n> rows_of(std::array<Lanes, n> columns) {
+  for (std::size_t i = 1; i < n; i *= 2) columns = interleave(columns);
+  return columns;
 }
 
 /// Which paths' numbers stand in the lanes: up to 16 slots of a batch. Unused lanes repeat the first.
@@ -118,6 +186,12 @@ struct Packet {
       slot[static_cast<std::size_t>(i)] = slots[first + static_cast<std::size_t>(i < count ? i : 0)];
   }
   std::uint32_t operator[](int lane) const { return slot[static_cast<std::size_t>(lane)]; }
+
+  /// The mask of the lanes in use.
+  IntLanes used() const {
+    constexpr IntLanes kLane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    return kLane < count;
+  }
 };
 
 inline Lanes gather(const float* from, const Packet& packet) {

@@ -73,11 +73,13 @@ Vec3<T> broadcast(Vec3f v) {
 inline Vec3Lanes to_lanes(Vec3f v) {
   return broadcast<Lanes>(v);
 }
-inline Vec3f lane(const Vec3Lanes& v, int i) {
-  return {v.x[i], v.y[i], v.z[i]};
+template <typename T>
+Vec3f lane(const Vec3<T>& v, int i) {
+  return {lane(v.x, i), lane(v.y, i), lane(v.z, i)};
 }
-inline void set_lane(Vec3Lanes& v, int i, Vec3f a) {
-  v.x[i] = a.x, v.y[i] = a.y, v.z[i] = a.z;
+template <typename T>
+void set_lane(Vec3<T>& v, int i, Vec3f a) {
+  set_lane(v.x, i, a.x), set_lane(v.y, i, a.y), set_lane(v.z, i, a.z);
 }
 
 inline Vec3f to_float(Vec3d a) {
@@ -87,11 +89,13 @@ inline Vec3d to_double(Vec3f a) {
   return {a.x, a.y, a.z};
 }
 
-inline float sqr(float x) {
+template <typename T>
+T sqr(T x) {
   return x * x;
 }
-inline float safe_sqrt(float x) {
-  return std::sqrt(std::max(0.0f, x));
+template <typename T>
+T safe_sqrt(T x) {
+  return sqrt(max(T{}, x));
 }
 
 }  // namespace photopic

@@ -18,39 +18,41 @@ inline bool is_index_matched(float eta) {
 
 /// The isotropic GGX distribution of microfacet normals (Walter et al. 2007), with visible-normal sampling.
 /// All directions in the shading frame, unit length.
-struct Ggx {
-  float alpha;  ///< roughness², > 0
+template <typename T>
+struct BasicGgx {
+  T alpha;  ///< roughness², > 0
 
   /// D(m) [1/sr]; the form with sin²/α² keeps small α accurate.
-  float d(Vec3f m) const {
-    if (m.z <= 0.0f) return 0.0f;
-    const float k = (m.x * m.x + m.y * m.y) / sqr(alpha) + m.z * m.z;
-    return kInvPi / (sqr(alpha) * k * k);
+  T d(Vec3<T> m) const {
+    const T k = (m.x * m.x + m.y * m.y) / sqr(alpha) + m.z * m.z;
+    return select(m.z > 0.0f, kInvPi / (sqr(alpha) * k * k), T{});
   }
 
-  float lambda(Vec3f w) const {
-    const float tan2 = (w.x * w.x + w.y * w.y) / sqr(w.z);
-    return 0.5f * (std::sqrt(1.0f + sqr(alpha) * tan2) - 1.0f);
+  T lambda(Vec3<T> w) const {
+    const T tan2 = (w.x * w.x + w.y * w.y) / sqr(w.z);
+    return 0.5f * (sqrt(1.0f + sqr(alpha) * tan2) - 1.0f);
   }
   /// Smith masking, and height-correlated masking-shadowing: Heitz 2014, equations 43 and 99.
-  float g1(Vec3f w) const { return 1.0f / (1.0f + lambda(w)); }
-  float g2(Vec3f wo, Vec3f wi) const { return 1.0f / (1.0f + lambda(wo) + lambda(wi)); }
+  T g1(Vec3<T> w) const { return 1.0f / (1.0f + lambda(w)); }
+  T g2(Vec3<T> wo, Vec3<T> wi) const { return 1.0f / (1.0f + lambda(wo) + lambda(wi)); }
 
   /// The density of the normals seen from w, w.z > 0 [1/sr]: Heitz & d'Eon 2014, equation 2.
-  float visible_pdf(Vec3f w, Vec3f m) const { return g1(w) * d(m) * std::max(0.0f, dot(w, m)) / w.z; }
+  T visible_pdf(Vec3<T> w, Vec3<T> m) const { return g1(w) * d(m) * max(T{}, dot(w, m)) / w.z; }
 
   /// A normal seen from w, w.z > 0: spherical caps, Dupuy & Benyoub 2023.
-  Vec3f sample_visible(Vec3f w, Sample2d u) const {
-    const Vec3f stretched = normalize(Vec3f{w.x * alpha, w.y * alpha, w.z});
-    const SinCos phi = sin_cos_two_pi(u.x);
-    const float z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
-    const float r = safe_sqrt(1.0f - z * z);
-    const Vec3f h = Vec3f{r * phi.cos, r * phi.sin, z} + stretched;
-    return normalize(Vec3f{h.x * alpha, h.y * alpha, std::max(1e-6f, h.z)});
+  Vec3<T> sample_visible(Vec3<T> w, BasicSample2d<T> u) const {
+    const Vec3<T> stretched = normalize(Vec3<T>{w.x * alpha, w.y * alpha, w.z});
+    const auto phi = sin_cos_two_pi(u.x);
+    const T z = (1.0f - u.y) * (1.0f + stretched.z) - stretched.z;
+    const T r = safe_sqrt(1.0f - z * z);
+    const Vec3<T> h = Vec3<T>{r * phi.cos, r * phi.sin, z} + stretched;
+    return normalize(Vec3<T>{h.x * alpha, h.y * alpha, max(T{} + 1e-6f, h.z)});
   }
 };
+using Ggx = BasicGgx<float>;
 
-inline Vec3f reflect(Vec3f w, Vec3f m) {
+template <typename T>
+Vec3<T> reflect(Vec3<T> w, Vec3<T> m) {
   return m * (2.0f * dot(w, m)) - w;
 }
 

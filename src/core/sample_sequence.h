@@ -1,5 +1,9 @@
 #pragma once
 
+#if defined(__GFNI__) && defined(__AVX512F__)
+#include <immintrin.h>
+#endif
+
 #include <cstdint>
 
 #include "core/lanes.h"
@@ -28,12 +32,24 @@ inline UintLanes swap_bytes(UintLanes x) {
   return ((x & 0x00ff00ffu) << 8) | ((x >> 8) & 0x00ff00ffu);
 }
 
+/// The bits of each byte the other way round.
 template <typename U>
-U reverse_bits(U x) {
-  x = swap_bytes(x);
+U reverse_in_bytes(U x) {
   x = ((x & 0x0f0f0f0fu) << 4) | ((x >> 4) & 0x0f0f0f0fu);
   x = ((x & 0x33333333u) << 2) | ((x >> 2) & 0x33333333u);
   return ((x & 0x55555555u) << 1) | ((x >> 1) & 0x55555555u);
+}
+#if defined(__GFNI__) && defined(__AVX512F__)
+/// As a product of matrices of bits, which is one instruction.
+inline UintLanes reverse_in_bytes(UintLanes x) {
+  const __m512i mirror = _mm512_set1_epi64(static_cast<long long>(0x8040201008040201));
+  return reinterpret_cast<UintLanes>(_mm512_gf2p8affine_epi64_epi8(reinterpret_cast<__m512i>(x), mirror, 0));
+}
+#endif
+
+template <typename U>
+U reverse_bits(U x) {
+  return reverse_in_bytes(swap_bytes(x));
 }
 
 /// Owen scrambling of a number whose bits stand reversed (a bit is flipped by a hash of those below it): the
@@ -67,8 +83,9 @@ struct BasicSample2d {
 using Sample2d = BasicSample2d<float>;
 using Sample2dLanes = BasicSample2d<Lanes>;
 
-inline Sample2d lane(const Sample2dLanes& u, int i) {
-  return {u.x[i], u.y[i]};
+template <typename T>
+Sample2d lane(const BasicSample2d<T>& u, int i) {
+  return {lane(u.x, i), lane(u.y, i)};
 }
 
 /// The numbers that drive one path: pairs of an Owen-scrambled Sobol' sequence, padded by shuffling the

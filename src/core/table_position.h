@@ -1,21 +1,25 @@
 #pragma once
 
-#include <algorithm>
+#include "core/lanes.h"
 
 namespace photopic {
 
-/// A place between two entries of a table with equal steps.
-struct TablePosition {
-  int cell;
-  float t;  ///< in [0, 1] from this entry to the next
-  float weight(int end) const { return end == 0 ? 1.0f - t : t; }
+/// A place between two entries of a table with equal steps, or one in each lane.
+template <typename T>
+struct BasicTablePosition {
+  decltype(to_int(T{})) cell;
+  T t;  ///< in [0, 1] from this entry to the next
+  T weight(int end) const { return end == 0 ? 1.0f - t : t; }
 };
+using TablePosition = BasicTablePosition<float>;
 
-/// @param x in [0, 1], clamped @param size number of entries, at least 2
-inline TablePosition locate(float x, int size) {
-  const float scaled = std::clamp(x, 0.0f, 1.0f) * static_cast<float>(size - 1);
-  const int cell = std::min(static_cast<int>(scaled), size - 2);
-  return {cell, scaled - static_cast<float>(cell)};
+/// @param x in [0, 1], clamped; NaN is 0 @param size number of entries, at least 2
+template <typename T>
+BasicTablePosition<T> locate(T x, int size) {
+  const T scaled = min(max(T{}, x), T{} + 1.0f) * static_cast<float>(size - 1);
+  const auto below = to_int(scaled);
+  const auto cell = below - (below == size - 1 ? 1 : 0);
+  return {cell, scaled - to_float(cell)};
 }
 
 }  // namespace photopic

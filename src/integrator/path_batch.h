@@ -59,6 +59,7 @@ struct PathBatch {
         blocked(capacity),
         emission_count_(scene.scene.emission_spectra.size()) {
     active.reserve(capacity);
+    sorted.reserve(capacity);
     shadowed.reserve(capacity);
     for (auto& queue : by_kind) queue.reserve(capacity);
   }
@@ -66,6 +67,15 @@ struct PathBatch {
   /// Emission spectrum k at the slot's wavelengths.
   SampledSpectrum<N>& emission_of(std::uint32_t slot, int k) {
     return emission[slot * emission_count_ + static_cast<std::size_t>(k)];
+  }
+
+  /// Emission spectra at the wavelengths of a packet's paths, one for each.
+  SpectrumLanes<N> emissions_of(const Packet& packet, IntLanes spectra) const {
+    LaneSpectra<N> values;
+    for (int i = 0; i < kLanes; ++i)
+      values[static_cast<std::size_t>(i)] =
+          emission[packet[i] * emission_count_ + static_cast<std::size_t>(spectra[i])];
+    return to_lanes<N>(values);
   }
 
   std::size_t emission_count() const { return emission_count_; }
@@ -117,6 +127,7 @@ struct PathBatch {
 
   // Slots at work.
   std::vector<std::uint32_t> active;
+  std::vector<std::uint32_t> sorted;  ///< the active by material
   std::vector<std::uint32_t> shadowed;
   std::array<std::vector<std::uint32_t>, kBsdfKinds> by_kind;
 

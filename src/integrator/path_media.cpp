@@ -34,7 +34,7 @@ void PathTracer<N, kHas>::pass_hidden_surfaces() {
       batch_.rays.origin.set(slot, pass_hidden(batch_.media[slot], scene_, batch_.hits[slot], direction));
       batch_.bsdf_pdf[slot] = 0.0f;
     }
-    intersect();
+    intersect(false);
     absorb_and_emit();
   }
   batch_.active = std::move(arrived);

@@ -29,6 +29,7 @@ class PathTracer {
   void done(Stage stage) {
     if (watch_) watch_->after(stage);
   }
+  std::uint32_t material_at(const Hit& hit) const { return scene_.scene.geometry.shapes[hit.shape].material; }
   bool has_media() const { return kHas.media && !batch_.media.empty(); }
   /// Every stage of the paths, up to what each has gathered.
   void advance(std::span<const PathKey> paths);
@@ -36,11 +37,12 @@ class PathTracer {
   void draw_wavelengths(const Packet& packet, const SampleStreamLanes& stream);
   void look_up_wavelengths();
   void leave_camera(const Packet& packet, const RayLanes& rays);
-  void intersect();
+  void intersect(bool coherent);
   void escape();
   void absorb_and_emit();
   void travel(std::uint32_t slot);
   void pass_hidden_surfaces();
+  void sort_by_material();
   void sort_by_bsdf(int depth);
   void trace_shadow_rays();
   void roulette(int depth);

@@ -101,45 +101,41 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
 
   // What does the BSDF make of it?
   const Vec3Lanes local = vertices.frame.to_local(lights.direction);
-  const IntLanes candidates = lights.reached & vertices.sides_agree(lights.direction, local.z);
-  std::array<SampledSpectrum<N>, kLanes> f_cos;
-  Lanes pdf{};
-  for (int i = 0; i < packet.count; ++i) {
-    if (!candidates[i]) continue;
-    const BsdfValue<N> value = vertices.bsdf_of(i).evaluate(lane(local, i));
-    f_cos[static_cast<std::size_t>(i)] = value.f_cos, pdf[i] = value.pdf;
-  }
-  const Lanes mis = select(lights.delta != 0, Lanes{} + 1.0f, power_heuristic(lights.pdf, pdf));
+  const IntLanes candidates =
+      lights.reached & vertices.sides_agree(lights.direction, local.z) & packet.used();
+  const auto value = vertices.bsdfs->evaluate(local, candidates);
+  const Lanes mis = select(lights.delta != 0, Lanes{} + 1.0f, power_heuristic(lights.pdf, value.pdf));
   const Lanes weight = lights.radiance * mis / lights.pdf;
   const Vec3Lanes origin = vertices.point.leave(lights.direction), to_end = lights.end - origin;
   const IntLanes inwards = vertices.is_inwards(lights.direction);
 
   // What would arrive?
-  for (int i = 0; i < packet.count; ++i) {
-    if (pdf[i] == 0.0f) continue;
+  const SpectrumLanes<N> arriving = gather(batch.throughput.data(), packet) * value.f_cos *
+                                    batch.emissions_of(packet, lights.spectrum) * weight;
+  const LaneSpectra<N> by_path = by_lane(arriving);
+  for_each_lane((value.pdf != 0.0f) & ~arriving.is_black(), [&](int i) {
     const std::uint32_t slot = packet[i];
     const Vec3f wi = lane(lights.direction, i);
-    SampledSpectrum<N> arriving = batch.throughput[slot] * f_cos[static_cast<std::size_t>(i)] *
-                                  batch.emission_of(slot, lights.spectrum[i]) * weight[i];
+    const float distance = lights.distance[i];
+    SampledSpectrum<N>& radiance = batch.shadow_radiance[slot];
+    radiance = by_path[static_cast<std::size_t>(i)];
     if (kHas.environment && lights.environment[i]) {
       const Vec3f rgb = scene_.scene.environment->radiance(wi);
-      arriving *= batch.tints[slot](rgb.x, rgb.y, rgb.z);
+      radiance *= batch.tints[slot](rgb.x, rgb.y, rgb.z);
     }
     if (kHas.textures && lights.material[i] != kNoMaterial)
-      arriving *= lamp_tint(batch, slot, lights.material[i], lights.triangle[i], lane(lights.end, i));
-    if (arriving.is_black()) continue;
-    const float distance = lights.distance[i];
+      radiance *= lamp_tint(batch, slot, lights.material[i], lights.triangle[i], lane(lights.end, i));
+    if ((kHas.environment || kHas.textures) && radiance.is_black()) return;
     if (kHas.media && !batch.media.empty())
-      attenuate(arriving, scene_, batch.media[slot].on_side(inwards[i]), batch.wavelengths[slot].lambda,
+      attenuate(radiance, scene_, batch.media[slot].on_side(inwards[i]), batch.wavelengths[slot].lambda,
                 distance);
 
     const bool unbounded = std::isinf(distance);
     batch.shadow_rays.origin.set(slot, lane(origin, i));
     batch.shadow_rays.direction.set(slot, unbounded ? wi : lane(to_end, i));
     batch.shadow_rays.t_max[slot] = unbounded ? distance : 1.0f;
-    batch.shadow_radiance[slot] = arriving;
     batch.shadowed.push_back(slot);
-  }
+  });
 }
 
 /// Where the paths go on.
@@ -150,18 +146,16 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
   const SampleStreamLanes stream = batch.stream.gather(packet);
   const Lanes u_lobe = stream.get_1d(bounce_dimension(depth, kBsdfLobe));
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
-  const DirectionSamples<N> samples = vertices.sample(packet, u_lobe, u);
+  const DirectionSamples<N> samples = vertices.bsdfs->sample(packet, u_lobe, u);
   const Vec3Lanes wi = vertices.frame.to_world(samples.wi), origin = vertices.point.leave(wi);
-  const IntLanes go_on = samples.found & vertices.sides_agree(wi, samples.wi.z),
-                 inwards = vertices.is_inwards(wi);
-  std::uint64_t split = 0;
+  const SpectrumLanes<N> throughput = gather(batch.throughput.data(), packet) * samples.weight;
+  const IntLanes sampled = samples.found & vertices.sides_agree(wi, samples.wi.z),
+                 go_on = sampled & ~throughput.is_black(), inwards = vertices.is_inwards(wi);
 
-  for (int i = 0; i < packet.count; ++i) {
-    if (!go_on[i]) continue;
+  const LaneSpectra<N> by_path = by_lane(throughput);
+  for_each_lane(go_on, [&](int i) {
     const std::uint32_t slot = packet[i];
-    batch.throughput[slot] *= samples.weight[static_cast<std::size_t>(i)];
-    split += samples.split[i] ? 1 : 0;
-    if (batch.throughput[slot].is_black()) continue;
+    batch.throughput[slot] = by_path[static_cast<std::size_t>(i)];
     batch.rays.origin.set(slot, lane(origin, i));
     batch.rays.direction.set(slot, lane(wi, i));
     batch.vertex.set(slot, lane(vertices.point.position, i));
@@ -169,8 +163,8 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
     batch.eta_scale[slot] *= sqr(samples.eta[i]);
     if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(inwards[i]);
     batch.active.push_back(slot);
-  }
-  return split;
+  });
+  return static_cast<std::uint64_t>(std::popcount(bits_of(sampled & samples.split)));
 }
 
 #define PHOTOPIC_LOOP(N, features) template class ShadingStage<N, features>;

@@ -1,30 +1,13 @@
 #pragma once
 
+#include "integrator/bsdf_packet.h"
 #include "integrator/features.h"
 #include "integrator/path_batch.h"
 #include "integrator/vertex.h"
 
 namespace photopic {
 
-/// Where up to 16 paths go on: BsdfSample's fields, directions in the shading frame.
-template <int N>
-struct DirectionSamples {
-  Vec3Lanes wi{};
-  Lanes pdf{}, eta = Lanes{} + 1.0f;  ///< pdf is 0 of a delta
-  IntLanes found{}, split{};          ///< masks
-  std::array<SampledSpectrum<N>, kLanes> weight;
-
-  void set(int i, const std::optional<BsdfSample<N>>& sample) {
-    if (!sample) return;
-    set_lane(wi, i, sample->wi);
-    pdf[i] = sample->delta ? 0.0f : sample->pdf, eta[i] = sample->eta;
-    found[i] = -1, split[i] = sample->split ? -1 : 0;
-    weight[static_cast<std::size_t>(i)] = sample->weight;
-  }
-};
-
-/// Vertices of up to 16 paths: what is geometry is done for all lanes at once, BSDFs one by one. Directions
-/// are in world space.
+/// Vertices of up to 16 paths. Directions are in world space.
 template <int N, typename Bsdf, Features kHas>
 struct VertexPacket {
   VertexPacket(const PreparedScene& scene, const PathBatch<N>& batch, const Packet& packet)
@@ -46,18 +29,31 @@ struct VertexPacket {
         if (surface(scene, i).extensions->anisotropy > 0.0f)
           set_lane(frame, i, grain_frame(geometry, batch.hits[packet[i]], lane(point, i), lane(frame, i)));
     }
+    make_bsdfs(scene, batch, packet, wo_world);
+  }
+
+  void make_bsdfs(const PreparedScene& scene, const PathBatch<N>& batch, const Packet& packet,
+                  const Vec3Lanes& wo_world) {
+    const Geometry& geometry = scene.scene.geometry;
     const Vec3Lanes wo = frame.to_local(wo_world);
-    for (int i = 0; i < packet.count; ++i) {
+    const auto material_at = [&](int i) {
       const std::uint32_t slot = packet[i];
-      const ShadingMaterial<N> at_hit(surface(scene, i), batch.wavelengths[slot].lambda,
-                                      {geometry, batch.hits[slot]},
-                                      kHas.media ? batch.outside_of(slot, scene) : nullptr);
-      bsdf[static_cast<std::size_t>(i)].emplace(
-          make_bsdf<Bsdf>(at_hit, lane(wo, i), batch.throughput[slot], [&] {
-            return coat_normal(geometry, batch.hits[slot], lane(wo_world, i), surface(scene, i),
-                               lane(frame, i), lane(point.geometric_normal, i));
-          }));
-    }
+      return ShadingMaterial<N>(surface(scene, i), batch.wavelengths[slot].lambda,
+                                {geometry, batch.hits[slot]},
+                                kHas.media ? batch.outside_of(slot, scene) : nullptr);
+    };
+    if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>)
+      bsdfs.emplace(base_colors<N>(packet, material_at), wo);
+    else if constexpr (std::is_same_v<Bsdf, OpaqueBsdf<N>>)
+      bsdfs.emplace(opaque_materials<N>(packet, material_at), wo);
+    else
+      bsdfs.emplace(packet, [&](int i) {
+        const std::uint32_t slot = packet[i];
+        return make_bsdf<Bsdf>(material_at(i), lane(wo, i), batch.throughput[slot], [&] {
+          return coat_normal(geometry, batch.hits[slot], lane(wo_world, i), surface(scene, i), lane(frame, i),
+                             lane(point.geometric_normal, i));
+        });
+      });
   }
 
   /// By what lies in the same place.
@@ -72,22 +68,6 @@ struct VertexPacket {
   const Surface& surface(const PreparedScene& scene, int i) const {
     return scene.surfaces[material[static_cast<std::size_t>(i)]];
   }
-  const Bsdf& bsdf_of(int i) const { return *bsdf[static_cast<std::size_t>(i)]; }
-
-  /// Where each path goes on, as its BSDF draws it.
-  DirectionSamples<N> sample(const Packet& packet, Lanes u_lobe, const Sample2dLanes& u) const {
-    DirectionSamples<N> samples;
-    if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>) {
-      samples.wi = sample_cosine_hemisphere(u);
-      samples.pdf = cosine_hemisphere_pdf(samples.wi.z);
-      samples.found = samples.wi.z > 0.0f;
-      for (int i = 0; i < packet.count; ++i) samples.weight[static_cast<std::size_t>(i)] = bsdf_of(i).albedo;
-    } else {
-      for (int i = 0; i < packet.count; ++i) samples.set(i, bsdf_of(i).sample(u_lobe[i], lane(u, i)));
-    }
-    return samples;
-  }
-
   /// See Vertex::sides_agree.
   IntLanes sides_agree(Vec3Lanes wi, Lanes cos_theta) const {
     return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
@@ -99,7 +79,7 @@ struct VertexPacket {
   SurfacePointLanes point;
   FrameLanes frame;
   std::array<std::uint32_t, kLanes> material;
-  std::array<std::optional<Bsdf>, kLanes> bsdf;
+  std::optional<BsdfPacket<N, Bsdf>> bsdfs;
 };
 
 }  // namespace photopic
