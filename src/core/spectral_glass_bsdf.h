@@ -23,7 +23,7 @@ class SpectralGlassBsdf {
   static constexpr bool kTwoSided = false;
   static constexpr bool kLitFromBehind = true;
 
-  /// @param throughput of the path: wavelengths that carry nothing are not chosen
+  /// @param throughput of the path: wavelengths that carry nothing are not chosen, unless none does
   SpectralGlassBsdf(const ShadingMaterial<N>& m, Vec3f wo, SampledSpectrum<N> throughput)
       : side_(wo.z < 0.0f ? -1.0f : 1.0f),
         wo_{wo.x, wo.y, wo.z * side_},
@@ -39,7 +39,7 @@ class SpectralGlassBsdf {
     }
     const float total = throughput.sum();
     for (int j = 0; j < N; ++j) {
-      q_.v[j] = throughput[j] / total;
+      q_.v[j] = total == 0.0f ? 1.0f / N : throughput[j] / total;
       ior_.v[j] = m.surface().index(m.lambda()[j]);
       if (solid_) outside_.v[j] = m.outside_index(m.lambda()[j]);
       if (!smooth() && is_index_matched(ior_[j] / outside_[j])) ior_.v[j] = outside_[j] * kLeastRoughIor;
