@@ -136,6 +136,7 @@ struct Scene {
   std::shared_ptr<const Environment> environment;  ///< none: paths that leave the scene end in the dark
   Camera camera;
   std::string camera_name;  ///< of the camera, else of its node
+  int camera_index = -1;    ///< in the file's list; −1: in none, it frames the scene
   Vec3d origin;             ///< world position of the coordinates' zero: floats stay accurate far from 0
   std::vector<std::string> warnings;         ///< one line each: what was ignored or mended
   std::vector<std::filesystem::path> files;  ///< that the scene's file names; some may not exist

@@ -60,6 +60,38 @@ class Info(CommandTest):
         self.assert_refused(["info", self.scene, "--camera", "eye"], "eye")
         self.assert_refused(["info", self.scene, "--emitter", "torch=cie:A"], "torch")
 
+    def test_the_camera_that_renders_whatever_it_is_called(self):
+        scene = tiny_scene()
+        plan = {"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 2, "znear": 0.1, "zfar": 10}}
+        scene["cameras"].append(plan)
+        scene["nodes"] += [{"camera": 1, "translation": [0, 1, 3]}, {"camera": 1, "name": "B", "translation": [0, 1, 2]}]
+        scene["scenes"] = [{"nodes": [0, 1, 2, 3]}]
+        self.scene.write_text(json.dumps(scene))
+
+        def cameras(*options):
+            return [(c["name"], c["type"], c.get("position_m")) for c in self.info(self.scene, *options)[1]["cameras"]]
+
+        unnamed, named = ("", "perspective"), ("B", "orthographic")
+        self.assertEqual(cameras(), [(*unnamed, [0, 1, 4]), (*named, None)])
+        self.assertEqual(cameras("--camera", "1"), [(*unnamed, None), ("", "orthographic", [0, 1, 3])])
+        self.assertEqual(cameras("--camera", "B"), [(*unnamed, None), (*named, [0, 1, 2])])
+        for camera in scene["cameras"]:
+            camera["name"] = "twin"
+        self.scene.write_text(json.dumps(scene))
+        self.assertEqual([c[2] for c in cameras("--camera", "1")], [None, [0, 1, 3]])
+
+    def test_lights_that_shine_whatever_they_are_called(self):
+        scene = tiny_scene()
+        lights = [{"type": "point", "name": "bulb", "intensity": 0}, {"type": "directional", "name": "bulb"}]
+        scene["extensions"] = {"KHR_lights_punctual": {"lights": lights}}
+        scene["extensionsUsed"].append("KHR_lights_punctual")
+        scene["nodes"] += [{"extensions": {"KHR_lights_punctual": {"light": i}}} for i in range(2)]
+        scene["scenes"] = [{"nodes": [0, 1, 2, 3]}]
+        self.scene.write_text(json.dumps(scene))
+        _, json_ = self.info(self.scene)
+        self.assertEqual([(lamp["type"], lamp.get("used", True)) for lamp in json_["lamps"]],
+                         [("surface", True), ("directional", True), ("point", False)])  # fmt: skip
+
     def test_what_a_render_leaves_out_is_told(self):
         text, json_ = self.info(FIXTURE)
         self.assertEqual(json_["file"]["animations"], 1)
