@@ -55,8 +55,7 @@ void set_base_color(const GltfDocument& document, std::size_t index, Material& m
 void set_attributes(const GltfDocument& document, std::size_t index, Material& material) {
   for (const GltfTextureUse& use : gltf_texture_uses(document, index)) {
     material.uv_sets = static_cast<std::uint8_t>(material.uv_sets | 1u << use.uv_set);
-    if (use.slot == &MaterialTextures::normal || use.slot == &MaterialTextures::clearcoat_normal)
-      material.needs_tangents = true;
+    material.needs_tangents |= use.slot->is_normal_map;
   }
 }
 
