@@ -16,7 +16,7 @@ namespace {
 constexpr int kMaxSamples = 1 << 24;
 const CLI::Range kSamplesRange(1, kMaxSamples);
 
-const CLI::Validator kFinite(
+const CLI::Validator kExposure(
     [](std::string& text) {
       double value = 0;
       const bool number =
@@ -98,7 +98,7 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
       .add_option("--exposure", a.exposure,
                   "Exposure of PNG and JPEG files [EV, a factor of 2 each]; EXR stays as it is")
       ->capture_default_str()
-      ->check(kFinite)
+      ->check(kExposure)
       ->type_name("EV");
   command.add_flag("--stats", a.stats, "Print counts, times and channel means with their standard errors");
 }

@@ -12,9 +12,10 @@ namespace photopic {
 
 /// What a set of densities is judged by.
 enum class Objective {
-  asymptotic,  ///< weighted mean over targets of sqrt(mean_u |U (E(u) − c)|²) [ΔE]: what √n times the error
-               ///< tends to
-  mean_delta_e  ///< ∫ ΔE00(E(u), c) du for R = 1 [ΔE], its kink at 0 rounded off by smooth_delta_e
+  /// Weighted mean over targets of sqrt(mean_u |U (E(u) − c)|²) [ΔE]: what √n times the error tends to.
+  asymptotic,
+  /// ∫ ΔE00(E(u), c) du for R = 1 [ΔE], its kink at 0 rounded off by smooth_delta_e.
+  mean_delta_e
 };
 
 /// The white of CIELAB, on the scale where R = 1 has Y = 1.
