@@ -30,8 +30,8 @@ struct Targets {
   std::vector<Spectrum> reflectances;       ///< seen under each of them
 };
 
-/// The white of CIELAB at Y = 1.
-Xyz white_of(const Targets& targets);
+/// The white of CIELAB at Y = 1. @param light the lamps together
+Xyz white_of(White white, const TabulatedSpectrum& light);
 
 /// An objective as a function of the estimates E(u) alone. Immutable; shared by all threads.
 class EstimateLoss {
