@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/box.h"
 #include "core/gltf/geometry_plan.h"
 #include "core/gltf/skin.h"
 #include "core/surface_point.h"
@@ -13,19 +14,6 @@ namespace photopic {
 namespace {
 
 constexpr double kMaxCoordinate = 1e12;  // below kFarthest; its cube fits a float
-
-struct Box {
-  Vec3d low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-
-  void add(Vec3d p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  Vec3d middle() const { return low.x <= high.x ? (low + high) * 0.5 : Vec3d{}; }
-  Vec3d corner(int i) const {
-    return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
-  }
-};
 
 /// How the vertices of a part come to where the geometry keeps them.
 struct VertexMap {
@@ -126,7 +114,7 @@ class GeometryLoader {
                      "correct the positions or scales");
   }
 
-  void add_to(Box& box, const Part& part) {
+  void add_to(Boxd& box, const Part& part) {
     const VertexMap map = map_of(part);
     const int node = node_of(part);
     const auto positions = read_morphed<Vec3f>(document_, part.primitive, node, "POSITION");
@@ -139,7 +127,7 @@ class GeometryLoader {
 
   /// The scene's origin is the middle of its bounding box, a prototype's that of its own.
   void find_middles() {
-    Box world;
+    Boxd world;
     for (const Part& part : plan_.baked) add_to(world, part);
     for (const auto& prototype : plan_.prototypes) {
       boxes_.emplace_back();
@@ -244,7 +232,7 @@ class GeometryLoader {
   }
 
   void append_instance(std::uint32_t prototype, Affine to_world) {
-    const Box& box = boxes_[prototype];
+    const Boxd& box = boxes_[prototype];
     to_world.t = to_world.point(box.middle()) - scene_.origin;
     geometry_.instances.push_back(
         {round_to_float(to_world), prototype, instance_error(to_world, box.high - box.middle())});
@@ -255,7 +243,7 @@ class GeometryLoader {
   Scene& scene_;
   Geometry& geometry_;
   SkinPoses skins_;
-  std::vector<Box> boxes_;      ///< of each prototype, in its mesh's own space
+  std::vector<Boxd> boxes_;     ///< of each prototype, in its mesh's own space
   std::uint32_t vertices_ = 0;  ///< appended so far
 };
 
