@@ -12,7 +12,7 @@
 namespace photopic {
 namespace {
 
-constexpr double kMaxPixels = 1 << 28;
+constexpr double kMaxPixels = 1 << 28;  // the film takes 56 bytes a pixel
 constexpr int kDefaultWidth = 640;
 constexpr double kDefaultAspect = 4.0 / 3.0;
 
