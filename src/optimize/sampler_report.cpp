@@ -1,9 +1,9 @@
 #include "optimize/sampler_report.h"
 
 #include <cmath>
-#include <random>
 
 #include "optimize/path_estimate.h"
+#include "optimize/random.h"
 #include "optimize/reflectance_set.h"
 #include "spectral/color_difference.h"
 
@@ -43,11 +43,11 @@ void measure_one_path(PathEstimate& path, const Lab& reference, Xyz white, Sampl
 
 /// Means of independent paths, as in a pixel.
 void measure_many_paths(PathEstimate& path, std::span<Target> targets, Xyz white) {
-  std::mt19937_64 random(kSeed);
+  Random random(kSeed);
   for (int i = 0; i < kMeans; ++i) {
     for (Target& target : targets) target.mean = {};
     for (int n = 0; n < kPaths; ++n) {
-      path.draw(static_cast<double>(random() >> 11) * 0x1p-53);
+      path.draw(uniform(random));
       for (Target& target : targets) target.mean += path.seen(target.reflectance) * (1.0 / kPaths);
     }
     for (Target& target : targets)
