@@ -36,8 +36,8 @@ Position position_in(const TargetTable& table, double t) {
 
 Xyz white_of(White white, const TabulatedSpectrum& light) {
   if (white == White::d65) return d65_white();
-  const Xyz lamp = emission_xyz(light, Observer::cie1931());
-  return {lamp.x / lamp.y, 1.0, lamp.z / lamp.y};
+  const Xyz lamp = emission_xyz(make_emitter(light).emission, Observer::cie1931());
+  return lamp * (1.0 / lamp.y);
 }
 
 EstimateLoss::EstimateLoss(const Targets& targets, const PiecewiseLinearDensity& base)

@@ -31,6 +31,7 @@ struct Targets {
 };
 
 /// The white of CIELAB at Y = 1. @param light the lamps together
+/// @throws std::invalid_argument when it is to be that of a light without luminance
 Xyz white_of(White white, const TabulatedSpectrum& light);
 
 /// An objective as a function of the estimates E(u) alone. Immutable; shared by all threads.
