@@ -14,6 +14,7 @@
 #include "core/image_io.h"
 #include "density_plot.h"
 #include "error.h"
+#include "file_ending.h"
 #include "interrupt.h"
 #include "optimize_report.h"
 #include "optimize_run.h"
@@ -55,9 +56,7 @@ std::pair<std::string, double> parse_lamp(const std::string& text) {
 
 /// Whether the color bar is asked for with labels.
 bool is_svg(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending == ".svg";
+  return lower_case_ending(file) == ".svg";
 }
 
 void check_outputs(const OptimizeArguments& arguments) {

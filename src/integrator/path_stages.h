@@ -40,7 +40,7 @@ class PathTracer {
   void intersect(bool coherent);
   void escape();
   void absorb_and_emit();
-  void travel(std::uint32_t slot);
+  bool travel(std::uint32_t slot);
   void pass_hidden_surfaces();
   void sort_by_material();
   void sort_by_bsdf(int depth);
