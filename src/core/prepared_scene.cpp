@@ -1,5 +1,6 @@
 #include "core/prepared_scene.h"
 
+#include "core/fresnel_albedo.h"
 #include "core/rough_glass.h"
 #include "core/sheen.h"
 #include "core/touching.h"

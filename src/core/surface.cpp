@@ -51,13 +51,6 @@ std::shared_ptr<const MaterialExtensions> extensions_of(const Material& m) {
   return m.extensions.any() ? std::make_shared<const MaterialExtensions>(m.extensions) : nullptr;
 }
 
-std::shared_ptr<const GrainAlbedo> grain_albedo_of(const Material& m) {
-  if (m.extensions.anisotropy == 0.0f) return nullptr;
-  if (has_texture(m, &MaterialTextures::metallic_roughness) || has_texture(m, &MaterialTextures::anisotropy))
-    return GrainAlbedo::of_all();
-  return std::make_shared<const GrainAlbedo>(AnisotropicGgx::of(m.roughness, m.extensions.anisotropy));
-}
-
 }  // namespace
 
 Surface::Surface(const Material& m)
@@ -94,7 +87,6 @@ Surface::Surface(const Material& m)
       attenuation_color(m.attenuation_color),
       attenuation_distance(m.attenuation_distance),
       priority(m.priority),
-      grain_albedo(grain_albedo_of(m)),
       extensions(extensions_of(m)),
       emission_spectrum(m.emission_spectrum),
       emission_luminance(m.emission_luminance),

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "core/glass_albedo.h"
-#include "core/grain_albedo.h"
 #include "core/sample_spectrum.h"
 #include "core/triangle_point.h"
 
@@ -50,7 +49,6 @@ struct Surface {
   float attenuation_distance;
   int priority;                                     ///< of the medium
   std::shared_ptr<const GlassAlbedo> glass_albedo;  ///< null where no rough glass refracts; see rough_glass.h
-  std::shared_ptr<const GrainAlbedo> grain_albedo;  ///< null where the material is not brushed
   std::shared_ptr<const MaterialExtensions> extensions;  ///< null where the material has none
 
   int emission_spectrum;
