@@ -10,7 +10,7 @@ namespace {
 
 using Weights = FresnelAlbedo::Weights;
 
-constexpr NodeCosines kAxis{32, 4};
+constexpr NodeCosines kAxis{32, 8};
 
 const Weights& entry(const std::vector<Weights>& table, int roughness, int cosine) {
   return table[static_cast<std::size_t>(roughness * kAxis.size() + cosine)];

@@ -31,7 +31,7 @@ class FresnelAlbedo {
   /// Of one bounce, by integration over normals. @param wo in the grain's frame, wo.z > 0
   static Weights integrate(const VisibleNormals& normals, const AnisotropicGgx& ggx, Vec3f wo);
 
-  /// The table for roughness alike in all directions, integrated when first asked for (20 ms of one core).
+  /// The table for roughness alike in all directions, integrated when first asked for (40 ms of one core).
   static const FresnelAlbedo& table();
 
   /// At cos θ in [0, 1] and roughness √α in [0, 1].

@@ -9,16 +9,18 @@
 namespace photopic {
 namespace {
 
-constexpr int kCosines = 64, kRow = kCosines + 1;  // the average stands behind the cosines
+constexpr int kCosines = 128, kRow = kCosines + 1;  // the average stands behind the cosines
 
 float node(GlassAlbedo::Range range, int i, int count) {
   if (count == 1) return range.low;
-  return range.low + (range.high - range.low) * static_cast<float>(i) / static_cast<float>(count - 1);
+  const float low = std::sqrt(range.low), high = std::sqrt(range.high);
+  return sqr(low + (high - low) * static_cast<float>(i) / static_cast<float>(count - 1));
 }
 
 TablePosition place(GlassAlbedo::Range range, float x, int count) {
   if (count == 1) return {0, 0.0f};
-  return locate((x - range.low) / (range.high - range.low), count);
+  const float low = std::sqrt(range.low), high = std::sqrt(range.high);
+  return locate((std::sqrt(x) - low) / (high - low), count);
 }
 
 }  // namespace
@@ -33,9 +35,13 @@ void GlassAlbedo::integrate(const VisibleNormals& normals, float cos_theta, floa
   const auto lost = [&](Vec3f wi, bool leaves) {
     return leaves ? 1.0f / (1.0f + 1.0f / (ggx.lambda(wi) * g1)) : 1.0f;
   };
+  // The lattice is turned from entry to entry (by the plastic number), lest its errors add up on average.
+  const auto turn = static_cast<float>(std::fmod(static_cast<double>(entry) * 0.7548776662466927, 1.0));
   Share& sum = share_[entry];
   for (int i = 0; i < normals.count(); ++i) {
-    const Vec3f m = ggx.sample_visible(wo, normals.sample(i));
+    Sample2d u = normals.sample(i);
+    u.x += turn, u.x -= std::floor(u.x);
+    const Vec3f m = ggx.sample_visible(wo, u);
     const float cos_i = dot(wo, m), f = fresnel_dielectric(cos_i, eta), weight = normals.weight(i);
     const Vec3f up = reflect(wo, m);
     const float lost_up = weight * lost(up, up.z > 0.0f);
@@ -62,7 +68,7 @@ GlassAlbedo::GlassAlbedo(std::vector<float> iors, Range roughness, bool films)
       share_(entry(iors_.size(), 0, false, 0)),
       exchanged_(films ? share_.size() : 0) {
   const std::size_t tables = iors_.size() * static_cast<std::size_t>(roughnesses_);
-  const VisibleNormals normals(static_cast<int>(std::clamp<std::size_t>(16384 / tables, 1024, 4096)));
+  const VisibleNormals normals(static_cast<int>(std::clamp<std::size_t>(8192 / tables, 512, 2048)));
   const auto weights = cosine_average_weights([](float c) { return locate_cosine(c, kCosines); }, kCosines);
   tbb::parallel_for(std::size_t{0}, 2 * tables, [&](std::size_t i) {
     const bool inside = i % 2 != 0;

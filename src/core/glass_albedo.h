@@ -64,7 +64,7 @@ class GlassAlbedo {
 
   std::vector<float> iors_;
   Range roughness_;
-  int roughnesses_;              ///< number of nodes, equally far apart
+  int roughnesses_;              ///< number of nodes, whose roots are equally far apart
   std::vector<Share> share_;     ///< [ior][roughness][side][cos θ], then the average
   std::vector<Film> exchanged_;  ///< what is gained by each node's light passing; empty without films
 };

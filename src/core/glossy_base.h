@@ -18,9 +18,9 @@ class GlossyBase {
     const MaterialExtensions& x = *m.surface().extensions;
     const auto grain = m.grain();
     strength_ = grain.strength;
-    grain_ = m.surface().grain_albedo.get();
     cos_turn_ = std::cos(grain.rotation), sin_turn_ = std::sin(grain.rotation);
     ggx_ = AnisotropicGgx::of(roughness_, strength_);
+    if (strength_ > 0.0f) grain_ = GrainAlbedo(ggx_);
     wo_ = to_grain(wo);
     set_colors(m, x);
     if (wo.z > 0.0f) look();
@@ -136,12 +136,11 @@ class GlossyBase {
 
   FresnelAlbedo::Weights directional(Vec3f w) const {
     if (mirror()) return FresnelAlbedo::at(w.z);
-    return strength_ > 0.0f ? grain_->directional(w, ggx_)
-                            : FresnelAlbedo::table().directional(w.z, roughness_);
+    return strength_ > 0.0f ? grain_.directional(w) : FresnelAlbedo::table().directional(w.z, roughness_);
   }
   FresnelAlbedo::Weights average() const {
     if (mirror()) return FresnelFit<N>::smooth_average();
-    return strength_ > 0.0f ? grain_->average(ggx_) : FresnelAlbedo::table().average(roughness_);
+    return strength_ > 0.0f ? grain_.average() : FresnelAlbedo::table().average(roughness_);
   }
 
   /// Share of light that the dielectric surface lets through to the diffuse base.
@@ -155,8 +154,8 @@ class GlossyBase {
   float roughness_, strength_;
   float cos_turn_, sin_turn_;  ///< the grain's direction in the shading frame
   AnisotropicGgx ggx_;
-  const GrainAlbedo* grain_;  ///< null where nothing is brushed
-  Vec3f wo_;                  ///< in the grain's frame, as are all directions in private functions
+  GrainAlbedo grain_;  ///< of no surface where nothing is brushed
+  Vec3f wo_;           ///< in the grain's frame, as are all directions in private functions
   float metallic_;
   FresnelFit<N> dielectric_, metal_;
   SampledSpectrum<N> reflected_, passed_;  ///< the diffuse base's colours

@@ -1,5 +1,6 @@
 #include "core/prepared_scene.h"
 
+#include "core/fresnel_albedo.h"
 #include "core/rough_glass.h"
 #include "core/sheen.h"
 #include "core/touching.h"
@@ -17,15 +18,13 @@ std::vector<bool> used_materials(const Scene& scene) {
 
 }  // namespace
 
-void prepare_albedos(std::span<const Material> materials, const std::vector<bool>& used,
-                     std::span<Surface> surfaces) {
+void prepare_albedos(const std::vector<bool>& used, std::span<Surface> surfaces) {
   std::vector<Surface*> shaded;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!used[i]) continue;
     Surface& s = surfaces[i];
     shaded.push_back(&s);
     if (!s.extensions) continue;
-    s.grain_albedo = grain_albedo_of(materials[i]);
     FresnelAlbedo::table();
     if (s.extensions->has_sheen()) SheenAlbedo::table();
   }
@@ -40,7 +39,7 @@ PreparedScene::PreparedScene(Scene source)
       accel(scene.geometry, surfaces, quads.get(), !touching.empty()),
       lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces) {
   // What is made when first asked for is made now, on nobody's clock.
-  prepare_albedos(scene.materials, used_materials(scene), surfaces);
+  prepare_albedos(used_materials(scene), surfaces);
   if (scene.environment) rgb_tints();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/albedo_axes.h"
 #include "core/microfacet.h"
 
 namespace photopic {
@@ -53,7 +54,8 @@ void prepare(Surface& glass, std::span<Surface* const> others) {
   if (ratios.empty()) return;  // where there is no change of index, nothing scatters
   const bool varies = glass.textures && glass.textures->metallic_roughness;
   const bool has_film = glass.extensions && glass.extensions->iridescence > 0.0f;
-  const GlassAlbedo::Range roughness{varies ? 0.0f : glass.roughness, glass.roughness};
+  const GlassAlbedo::Range roughness{varies ? std::min(kSmoothRoughness, glass.roughness) : glass.roughness,
+                                     glass.roughness};
   glass.glass_albedo = std::make_shared<const GlassAlbedo>(std::move(ratios), roughness, has_film);
 }
 

@@ -51,13 +51,6 @@ BsdfKind opaque_kind_of(const Material& m) {
   return m.metallic == 0.0f && m.specular == 0.0f ? BsdfKind::diffuse : BsdfKind::opaque;
 }
 
-std::shared_ptr<const GrainAlbedo> grain_albedo_of(const Material& m) {
-  if (m.extensions.anisotropy == 0.0f) return nullptr;
-  if (has_texture(m, &MaterialTextures::metallic_roughness) || has_texture(m, &MaterialTextures::anisotropy))
-    return GrainAlbedo::of_all();
-  return std::make_shared<const GrainAlbedo>(AnisotropicGgx::of(m.roughness, m.extensions.anisotropy));
-}
-
 Surface::Surface(const Material& m)
     : opaque_kind(opaque_kind_of(m)),
       glass_kind(glass_kind_of(m)),

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "core/glass_albedo.h"
-#include "core/grain_albedo.h"
 #include "core/sample_spectrum.h"
 #include "core/triangle_point.h"
 
@@ -54,7 +53,6 @@ struct Surface {
   float attenuation_distance;
   int priority;                                          ///< of the medium
   std::shared_ptr<const GlassAlbedo> glass_albedo{};     ///< null where no rough glass refracts
-  std::shared_ptr<const GrainAlbedo> grain_albedo{};     ///< null where the material is not brushed
   std::shared_ptr<const MaterialExtensions> extensions;  ///< null where the material has none
 
   int emission_spectrum;
@@ -93,9 +91,6 @@ struct Surface {
     return t;
   }
 };
-
-/// The table of a brushed material; null for others.
-std::shared_ptr<const GrainAlbedo> grain_albedo_of(const Material& m);
 
 /// Y of linear sRGB: IEC 61966-2-1.
 inline float luminance(Vec3f rgb) {

@@ -59,7 +59,7 @@ SampledSpectrum<N> path_wavelengths() {
 template <template <int> typename Bsdf, int N>
 struct Fixture {
   explicit Fixture(const Material& material) : surface(material) {
-    prepare_albedos({&material, 1}, {true}, {&surface, 1});
+    prepare_albedos({true}, {&surface, 1});
   }
 
   Bsdf<N> make(Vec3f wo) const {

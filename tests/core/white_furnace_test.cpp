@@ -82,6 +82,9 @@ TEST(WhiteFurnace, Films) {
       expect_white(iridescent(plastic(kWhite, roughness), thickness), film + "plastic");
       expect_white(iridescent(metal(kWhite, roughness), thickness), film + "metal");
     }
+  for (float roughness : kRoughnesses)
+    for (int lane : {0, 2})
+      expect_white(iridescent(plastic(kWhite, roughness, 4.0f), 2000.0f), "film of many fringes", lane);
 }
 
 /// At every wavelength.
@@ -95,11 +98,11 @@ TEST(WhiteFurnace, Everything) {
 }
 
 /// Brushed surfaces, seen along, askew and across the grain.
-void expect_white_brushed(Material m, float strength, const std::string& what) {
+void expect_white_brushed(Material m, float strength, const std::string& what, int lane = 1) {
   m = brushed(m, strength);
   for (float azimuth : {0.0f, 0.6f, 1.2f, 1.5707963f}) {
     m.extensions.anisotropy_rotation = 0.7f + azimuth;  // direction() stands at 0.7
-    const LocalBsdf bsdf = local_bsdf(m);
+    const LocalBsdf bsdf = local_bsdf(m, lane);
     for (double cos_theta : kCosines) {
       const std::string where = at(what, m.roughness, cos_theta) + " strength " + std::to_string(strength) +
                                 " azimuth " + std::to_string(azimuth);
@@ -120,10 +123,15 @@ TEST(WhiteFurnace, BrushedPlastic) {
       expect_white_brushed(plastic(kWhite, roughness), strength, "plastic");
 }
 
+/// Roughness and strength may as well be a texture's: there is but one table.
 TEST(WhiteFurnace, FilmsOnBrushed) {
   for (float roughness : {0.0f, 0.2f, 0.6f})
     for (float strength : {0.3f, 1.0f})
       expect_white_brushed(iridescent(plastic(kWhite, roughness), 400.0f), strength, "film on plastic");
+  for (float roughness : {0.0f, 0.13f, 0.9f})
+    for (float strength : {0.05f, 0.94f})
+      expect_white_brushed(iridescent(plastic(kWhite, roughness, 4.0f), 2000.0f), strength,
+                           "film of many fringes", 0);
 }
 
 /// What one bounce off the microsurface keeps of light seen at cos θ = mu; by sampling.

@@ -39,7 +39,7 @@ template <typename Bsdf>
 class BsdfMaker {
  public:
   explicit BsdfMaker(const Material& material) : surface_(material) {
-    prepare_albedos({&material, 1}, {true}, {&surface_, 1});
+    prepare_albedos({true}, {&surface_, 1});
   }
   const Bsdf& operator()(Vec3f wo) {
     if (!bsdf_ || !(wo == wo_)) bsdf_.emplace(make_bsdf<Bsdf>(surface_, wo)), wo_ = wo;
