@@ -14,7 +14,7 @@
 namespace photopic {
 
 /// Integrates the albedo tables that surfaces need, each once.
-/// @param materials of the surfaces, one by one @param used which are seen; the others get no table
+/// @param used which surfaces are seen; the others get no table
 void prepare_albedos(const std::vector<bool>& used, std::span<Surface> surfaces);
 
 /// A scene made ready for rendering: what every sampler and every render of it share.

@@ -129,6 +129,8 @@ struct PathBatch {
   std::vector<std::uint32_t> active;
   std::vector<std::uint32_t> sorted;  ///< the active by material
   std::vector<std::uint32_t> shadowed;
+  std::vector<std::uint32_t>
+      pane_shadowed;  ///< those of them whose light only shadow rays bring through panes
   std::array<std::vector<std::uint32_t>, kBsdfKinds> by_kind;
 
  private:

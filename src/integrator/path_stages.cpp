@@ -50,6 +50,7 @@ void PathTracer<N, kHas>::advance(std::span<const PathKey> paths) {
     done(kStageSort);
     batch_.active.clear();
     batch_.shadowed.clear();
+    batch_.pane_shadowed.clear();
     stats_.split_paths += shading_.shade(batch_, depth, watch_);
     trace_shadow_rays();
     done(kStageShadow);
@@ -197,6 +198,13 @@ void PathTracer<N, kHas>::trace_shadow_rays() {
   stats_.shadow_rays += batch_.shadowed.size();
   for (const std::uint32_t slot : batch_.shadowed)
     if (!batch_.blocked[slot]) batch_.radiance[slot] += batch_.shadow_radiance[slot];
+  for (const std::uint32_t slot : batch_.pane_shadowed) {
+    if (!batch_.blocked[slot]) continue;
+    const RayArray& rays = batch_.shadow_rays;
+    batch_.radiance[slot] +=
+        batch_.shadow_radiance[slot] * through_panes(scene_, {rays.origin[slot], rays.direction[slot]},
+                                                     rays.t_max[slot], batch_.wavelengths[slot].lambda);
+  }
 }
 
 /// Ends paths with the probability 1 − 1.5 max β: the brightest wavelength decides, so none is thrown away

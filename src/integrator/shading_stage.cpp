@@ -135,6 +135,7 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
     batch.shadow_rays.direction.set(slot, unbounded ? wi : lane(to_end, i));
     batch.shadow_rays.t_max[slot] = unbounded ? distance : 1.0f;
     batch.shadowed.push_back(slot);
+    if (has_panes_ && lights.delta[i]) batch.pane_shadowed.push_back(slot);
   });
 }
 

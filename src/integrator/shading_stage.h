@@ -1,6 +1,7 @@
 #pragma once
 
 #include "integrator/features.h"
+#include "integrator/panes.h"
 #include "integrator/stage_watch.h"
 #include "integrator/vertex_packet.h"
 
@@ -11,7 +12,8 @@ namespace photopic {
 template <int N, Features kHas>
 class ShadingStage {
  public:
-  explicit ShadingStage(const PreparedScene& scene) : scene_(scene) {}
+  explicit ShadingStage(const PreparedScene& scene)
+      : scene_(scene), has_panes_(has_panes_before_lights(scene)) {}
 
   /// Takes the slots of batch.by_kind; leaves shadow rays in batch.shadowed, paths that go on in
   /// batch.active.
@@ -35,6 +37,7 @@ class ShadingStage {
                                   const VertexPacket<N, Bsdf, kHas>& vertices);
 
   const PreparedScene& scene_;
+  bool has_panes_;
 };
 
 }  // namespace photopic

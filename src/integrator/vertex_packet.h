@@ -70,7 +70,7 @@ struct VertexPacket {
   }
   /// See Vertex::sides_agree.
   IntLanes sides_agree(Vec3Lanes wi, Lanes cos_theta) const {
-    return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
+    return ~(dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) <= 0.0f);
   }
 
   /// Which w point to the back.

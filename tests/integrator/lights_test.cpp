@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "core/fresnel.h"
 #include "support/render_checks.h"
 
 namespace photopic {
@@ -91,6 +92,48 @@ TEST(PunctualLights, DirectionalAndShadow) {
     else
       EXPECT_EQ(film.image_mean().y, 0.0);
   }
+}
+
+/// Panes of thin glass over the floor, under a light without extent in the direction w: what arrives of it.
+double share_through(const std::vector<Material>& panes, Vec3f w, bool at_a_point = false) {
+  SceneBuilder b = floor_scene();
+  for (std::size_t i = 0; i < panes.size(); ++i)
+    b.floor({0, 0, 0.2 + 0.1 * static_cast<double>(i)}, 0.5, 0.5, b.material(panes[i]));
+  b.camera({-1.5, 0, 0.1}, {0, 0, 0}, 0.01, 8, 8);  // below them
+  const int spectrum = b.emission(fl11());
+  Scene scene = b.build();
+  if (at_a_point)
+    scene.punctual_lights = {{.position = w * 3.0f, .intensity = 9.0f, .emission_spectrum = spectrum}};
+  else
+    scene.punctual_lights = {{.kind = PunctualLight::Kind::directional,
+                              .direction = -w,
+                              .intensity = 1.0f,
+                              .emission_spectrum = spectrum}};
+  RenderOptions direct{.spp = 1000, .max_depth = 2};
+  const PreparedScene prepared(scene);
+  const Film film =
+      render(prepared, IlluminantWavelengths{4, base_density(scene_emission(prepared))}, direct).film;
+  return film.image_mean().y / floor_luminance(w.z);
+}
+
+/// BSDF sampling never finds such a light through glass that only lets pass straight on; shadow rays do.
+TEST(PunctualLights, ShineThroughThinPanes) {
+  const auto passed = [](float cosine) {
+    const float f = fresnel_dielectric(cosine, 1.5f);
+    return 1.0 - 2.0 * f / (1.0 + f);
+  };
+  const Vec3f up{0, 0, 1}, slanted{0.6f, 0, 0.8f};
+  const Material pane = thin_glass(1.5f, 0.0f);
+  EXPECT_NEAR(share_through({}, up), 1.0, 2e-3);
+  EXPECT_NEAR(share_through({pane}, up), passed(1.0f), 2e-3);
+  EXPECT_NEAR(share_through({pane}, up, true), passed(1.0f), 2e-3);
+  EXPECT_NEAR(share_through({pane, pane, pane}, slanted), std::pow(passed(0.8f), 3), 2e-3);
+  Material tinted = pane;
+  tinted.base_color = ConstantSpectrum{0.5}, tinted.transmission = 0.8f;
+  EXPECT_NEAR(share_through({tinted}, up), 0.5 * 0.8 * passed(1.0f), 2e-3);
+
+  EXPECT_EQ(share_through({pane, diffuse(ConstantSpectrum{0.5})}, up), 0.0);
+  EXPECT_EQ(share_through({solid_glass(1.5f, 0.0f)}, up), 0.0);
 }
 
 /// Lamps of every kind light one spot in the sum of their parts, whichever are chosen.
