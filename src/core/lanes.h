@@ -164,13 +164,15 @@ inline LaneMatrix transpose(const LaneMatrix& m) {
 /// Sixteen rows of n numbers, one after the other in memory, as n columns; n is 2^k.
 template <std::size_t n>
 std::array<Lanes, n> columns(std::array<Lanes, n> rows) {
-  for (std::size_t i = 1; i < n; i *= 2) rows = deinterleave(rows);
+  if constexpr (n > 1)
+    for (std::size_t i = 1; i < n; i *= 2) rows = deinterleave(rows);
   return rows;
 }
 /// The way back.
 template <std::size_t n>
 std::array<Lanes, n> rows_of(std::array<Lanes, n> columns) {
-  for (std::size_t i = 1; i < n; i *= 2) columns = interleave(columns);
+  if constexpr (n > 1)
+    for (std::size_t i = 1; i < n; i *= 2) columns = interleave(columns);
   return columns;
 }
 
