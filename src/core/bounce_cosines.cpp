@@ -43,6 +43,36 @@ class CosineSums {
   std::array<Sum, kBins + 1> sums_{};
 };
 
+using Numbers = std::array<float, kLanes>;
+
+// Between quantiles cosines are spread evenly. A hat's share is the second difference, at its node and both
+// neighbours, of the twofold integral of their density.
+void add_rest(Lanes quantiles, float kept, FresnelAlbedo::Weights& weights) {
+  constexpr int kNodes = FresnelAlbedo::kNodes, kParts = BounceCosines::kParts;
+  static_assert(kNodes + 2 <= kLanes);
+  constexpr auto kShare = [] {
+    std::array<float, kParts> share{};
+    for (int k = 0; k < kParts; ++k)
+      share[static_cast<std::size_t>(k)] = BounceCosines::level(k + 1) - BounceCosines::level(k);
+    return share;
+  }();
+  constexpr Lanes kIndex{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+  const Lanes next =
+      __builtin_shufflevector(quantiles, quantiles, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 15);
+  const Lanes widths = max(next - quantiles, Lanes{} + 1e-5f);
+  const auto low = std::bit_cast<Numbers>(quantiles), width = std::bit_cast<Numbers>(widths),
+             half = std::bit_cast<Numbers>(0.5f / widths);
+  const Lanes node = kIndex / static_cast<float>(kNodes + 1);
+  Lanes below{};
+  for (std::size_t k = 0; k < kParts; ++k) {
+    const Lanes x = max(node - low[k], Lanes{}), within = min(x, Lanes{} + width[k]);
+    below += kShare[k] * (within * within * half[k] + (x - within));
+  }
+  const auto integral = std::bit_cast<Numbers>(below);
+  for (std::size_t k = 0; k < kNodes; ++k)
+    weights.rest[k] = kept * (kNodes + 1) * (integral[k] - 2.0f * integral[k + 1] + integral[k + 2]);
+}
+
 }  // namespace
 
 // The outermost are such that the outer parts' means are right.
@@ -65,34 +95,13 @@ BounceCosines BounceCosines::of(const VisibleNormals::Bounces& bounces) {
   return result;
 }
 
-// Between quantiles cosines are spread evenly. A hat's share is the second difference, at its node and both
-// neighbours, of the twofold integral of their density.
-FresnelAlbedo::Weights BounceCosines::weights() const {
-  constexpr int kNodes = FresnelAlbedo::kNodes;
-  static_assert(kNodes + 2 <= kLanes);
-  constexpr Lanes kIndex{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-  constexpr auto kShare = [] {
-    std::array<float, kParts> share{};
-    for (int k = 0; k < kParts; ++k) share[static_cast<std::size_t>(k)] = level(k + 1) - level(k);
-    return share;
-  }();
-  const auto quantile = std::bit_cast<std::array<float, kLanes>>(values);
-  const Lanes node = kIndex / static_cast<float>(kNodes + 1), zero{};
-  Lanes below{};
-  for (std::size_t k = 0; k < kParts; ++k) {
-    const float width = std::max(quantile[k + 1] - quantile[k], 1e-5f);
-    const Lanes x = node - quantile[k], within = min(max(x, zero), zero + width);
-    below += kShare[k] * (within * within * (0.5f / width) + max(x - width, zero));
-  }
-
-  const auto integral = std::bit_cast<std::array<float, kLanes>>(below);
+FresnelAlbedo::Weights BounceCosines::weights(bool rest) const {
   FresnelAlbedo::Weights weights;
   weights.missing = sqr(values[kMissing]);
   const float kept = 1.0f - weights.missing;
   weights.f90 = kept * schlick_weight(values[kSchlick]);
   weights.f0 = kept - weights.f90;
-  for (std::size_t k = 0; k < kNodes; ++k)
-    weights.rest[k] = kept * (kNodes + 1) * (integral[k] - 2.0f * integral[k + 1] + integral[k + 2]);
+  if (rest) add_rest(values, kept, weights);
   return weights;
 }
 

@@ -24,7 +24,8 @@ struct BounceCosines {
 
   static BounceCosines of(const VisibleNormals::Bounces& bounces);
 
-  FresnelAlbedo::Weights weights() const;
+  /// @param rest whether the rest's are wanted, too; they are most of the work
+  FresnelAlbedo::Weights weights(bool rest = true) const;
 };
 static_assert(BounceCosines::kMissing == kLanes - 1);
 

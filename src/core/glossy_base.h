@@ -136,7 +136,8 @@ class GlossyBase {
 
   FresnelAlbedo::Weights directional(Vec3f w) const {
     if (mirror()) return FresnelAlbedo::at(w.z);
-    return strength_ > 0.0f ? grain_.directional(w) : FresnelAlbedo::table().directional(w.z, roughness_);
+    return strength_ > 0.0f ? grain_.directional(w, dielectric_.has_rest() || metal_.has_rest())
+                            : FresnelAlbedo::table().directional(w.z, roughness_);
   }
   FresnelAlbedo::Weights average() const {
     if (mirror()) return FresnelFit<N>::smooth_average();

@@ -3,7 +3,7 @@
 namespace photopic {
 
 GrainAlbedo::Weights GrainAlbedo::average() const {
-  const TablePosition r = surface_.roughness(kRoughnesses), g = surface_.grain(kGrains);
+  const TablePosition r = place_.roughness(kRoughnesses), g = place_.grain(kGrains);
   Weights weights;
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) weights.add(kAverage[r.cell + i][g.cell + j], r.weight(i) * g.weight(j));

@@ -13,10 +13,12 @@ class GrainAlbedo {
   /// Of no surface yet.
   GrainAlbedo() = default;
   /// @param ggx 1 ≥ alpha_x ≥ alpha_y ≥ kSmoothAlpha
-  explicit GrainAlbedo(const AnisotropicGgx& ggx) : surface_(ggx) {}
+  explicit GrainAlbedo(const AnisotropicGgx& ggx) : place_(ggx) {}
 
-  /// Seen from w, w.z ≥ 0. @param w in the grain's frame
-  Weights directional(Vec3f w) const { return GrainTable(kDirectional).look_up(surface_, w).weights(); }
+  /// Seen from w, w.z ≥ 0. @param w in the grain's frame @param rest whether the rest's weights are wanted
+  Weights directional(Vec3f w, bool rest) const {
+    return GrainTable(kDirectional).look_up(place_, w).weights(rest);
+  }
   /// The cosine-weighted average over w.
   Weights average() const;
 
@@ -27,7 +29,7 @@ class GrainAlbedo {
   alignas(32) static const char16_t kDirectional[];      ///< generated; a GrainTable's numbers
   static const Weights kAverage[kRoughnesses][kGrains];  ///< generated; of `missing` the logarithm
 
-  GrainTable::Place surface_;
+  GrainTable::Place place_;
 };
 
 }  // namespace photopic

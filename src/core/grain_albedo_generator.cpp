@@ -23,14 +23,14 @@ std::u16string integrate() {
 /// Over a quarter of all azimuths, and cosines by their fourth roots: μ = x⁴, 2μ dμ = 8x⁷ dx.
 Weights average(const GrainTable& table, const AnisotropicGgx& ggx) {
   constexpr int kTurns = 64, kHeights = 256;
-  const GrainTable::Place surface(ggx);
+  const GrainTable::Place place(ggx);
   Weights sum;
   for (int i = 0; i < kTurns; ++i)
     for (int j = 0; j < kHeights; ++j) {
       const SinCos phi = sin_cos_two_pi(0.25f * (static_cast<float>(i) + 0.5f) / kTurns);
       const float x = (static_cast<float>(j) + 0.5f) / kHeights, z = sqr(sqr(x)),
                   r = safe_sqrt(1.0f - sqr(z));
-      sum.add(table.look_up(surface, {r * phi.cos, r * phi.sin, z}).weights(),
+      sum.add(table.look_up(place, {r * phi.cos, r * phi.sin, z}).weights(),
               8.0f * z * x * x * x / (kTurns * kHeights));
     }
   return sum;

@@ -61,6 +61,15 @@ using Numbers [[gnu::vector_size(kLanes * sizeof(char16_t))]] = std::uint16_t;
 /// Numbers are fourth roots: of cosines, over as many times the axis's scale, which none exceeds.
 constexpr float kUnit = 65535.0f, kGreatest = 2.0f / kSmoothAlpha;
 
+Lanes decoded(const char16_t* numbers) {
+  Numbers loaded;
+  std::memcpy(&loaded, numbers, sizeof loaded);
+  const Lanes root =
+                  __builtin_convertvector(__builtin_convertvector(loaded, IntLanes), Lanes) * (1.0f / kUnit),
+              square = root * root;
+  return square * square;
+}
+
 }  // namespace
 
 GrainTable::Place::Place(const AnisotropicGgx& g)
@@ -100,13 +109,14 @@ BounceCosines GrainTable::look_up(const Place& s, Vec3f w) const {
   const TablePosition r = s.roughness(kRoughnesses), g = s.grain(kGrains), c = axis.locate(w.z),
                       a = locate(share(root_of(alpha), s.root_y, s.root_x), kAzimuths);
   Lanes sum{};
-  for (int corner = 0; corner < 16; ++corner) {
-    const int dr = corner >> 3, dg = corner >> 2 & 1, da = corner >> 1 & 1, dc = corner & 1;
-    const int row = ((r.cell + dr) * kGrains + g.cell + dg) * kAzimuths + a.cell + da;
-    Numbers numbers;
-    std::memcpy(&numbers, numbers_ + (row * kCosines + c.cell + dc) * kLanes, sizeof numbers);
-    const Lanes root = __builtin_convertvector(numbers, Lanes) * (1.0f / kUnit), square = root * root;
-    sum += r.weight(dr) * g.weight(dg) * a.weight(da) * c.weight(dc) * (square * square);
+  for (int corner = 0; corner < 4; ++corner) {
+    const int dr = corner / 2, dg = corner % 2;
+    const int row = ((r.cell + dr) * kGrains + g.cell + dg) * kAzimuths + a.cell;
+    const char16_t *near = numbers_ + (row * kCosines + c.cell) * kLanes, *far = near + kCosines * kLanes;
+    const Lanes low = (1.0f - c.t) * decoded(near) + c.t * decoded(near + kLanes),
+                high = (1.0f - c.t) * decoded(far) + c.t * decoded(far + kLanes);
+    const float rough = dr == 0 ? 1.0f - r.t : r.t, grained = dg == 0 ? 1.0f - g.t : g.t;
+    sum += rough * grained * ((1.0f - a.t) * low + a.t * high);
   }
   BounceCosines result{min(kGreatest * axis.scale(w.z) * sum, Lanes{} + 1.0f)};
   result.values[BounceCosines::kMissing] = sum[BounceCosines::kMissing];

@@ -17,11 +17,12 @@ class GrainTable {
   /// @param numbers kLanes to a node; must outlive this
   explicit GrainTable(const char16_t* numbers) : numbers_(numbers) {}
 
-  /// A surface among those of the table. @param ggx1 ≥ alpha_x ≥ alpha_y ≥ kSmoothAlpha
+  /// A surface's place on the axes of roughness and grain.
   struct Place {
     AnisotropicGgx ggx{1.0f, 1.0f};
     float root_x = 1.0f, root_y = 1.0f;  ///< of its α
     Place() = default;
+    /// @param ggx 1 ≥ alpha_x ≥ alpha_y ≥ kSmoothAlpha
     explicit Place(const AnisotropicGgx& ggx);
     TablePosition roughness(int size) const;
     TablePosition grain(int size) const;
@@ -30,7 +31,7 @@ class GrainTable {
   static AnisotropicGgx ggx_at(int roughness, int roughnesses, int grain, int grains);
 
   /// @param w.z ≥ 0
-  BounceCosines look_up(const Place& surface, Vec3f w) const;
+  BounceCosines look_up(const Place& place, Vec3f w) const;
 
   /// The numbers of a node, to be written into the table.
   static std::array<char16_t, kLanes> integrate(int node, const VisibleNormals& normals);

@@ -91,6 +91,9 @@ class FresnelFit {
 
   SampledSpectrum<N> operator()(float cos_theta) const { return fresnel_(cos_theta); }
 
+  /// Whether there is a rest besides Schlick's part.
+  bool has_rest() const { return !plain_; }
+
   /// The term as the albedos have it: linear between nodes but for Schlick's part. Over a base that takes
   /// what is not reflected this one keeps energy exactly.
   SampledSpectrum<N> fitted(float cos_theta) const {

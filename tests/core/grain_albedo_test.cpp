@@ -52,7 +52,7 @@ TEST(GrainAlbedo, TableIsTheIntegral) {
     for (std::uint32_t k = 1; k < 5; ++k) {
       const Vec3f wo = direction(stream.get_2d(k));
       const Weights exact = FresnelAlbedo::integrate(normals, ggx, wo),
-                    table = GrainAlbedo(ggx).directional(wo);
+                    table = GrainAlbedo(ggx).directional(wo, true);
       const auto where = [&] { return fmt::format("{} {} {} {}", ggx.alpha_x, ggx.alpha_y, wo.x, wo.z); };
       for (float Weights::*part : {&Weights::missing, &Weights::f90, &Weights::f0})
         EXPECT_NEAR(table.*part, exact.*part, 0.005) << where();
@@ -75,7 +75,8 @@ TEST(GrainAlbedo, AverageIsTheTablesOwn) {
       const Sample2d u = SampleStream(Sequence::sobol, 4, 0, k).get_2d(0);
       const float z = sqr(sqr(u.x)), r = std::sqrt(1.0f - z * z);
       const SinCos phi = sin_cos_two_pi(u.y);
-      sum.add(albedo.directional({r * phi.cos, r * phi.sin, z}), 8.0f * z * u.x * u.x * u.x / kDirections);
+      sum.add(albedo.directional({r * phi.cos, r * phi.sin, z}, true),
+              8.0f * z * u.x * u.x * u.x / kDirections);
     }
     const Weights average = albedo.average();
     const std::string where = fmt::format("{} {}", ggx.alpha_x, ggx.alpha_y);
