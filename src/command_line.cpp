@@ -37,6 +37,9 @@ CLI::Validator number_between(double min, double max) {
 }
 const CLI::Validator kSeconds = number_between(1e-3, 1e9), kDeltaE = number_between(1e-3, 1e3);
 
+const CLI::Validator kNotEmpty(
+    [](std::string& text) { return text.empty() ? std::string("it is empty") : std::string(); }, "");
+
 /// What a scene is loaded with.
 void bind_scene_file(CLI::App& command, SceneArguments& a) {
   command.add_option("SCENE", a.scene, "A glTF 2.0 file, .gltf or .glb")->required()->type_name("");
@@ -49,9 +52,11 @@ void bind_scene_file(CLI::App& command, SceneArguments& a) {
       ->type_name("WxH");
   command
       .add_option("--camera", a.camera,
-                  "The camera, by its name or its index in the file; the scene's first if not given. A scene "
-                  "without any is framed")
-      ->type_name("NAME");
+                  "The camera whose name or node's name is NAME, else the N-th in the file, from 0: N, or "
+                  "index:N where a camera is called N. Of several with one name, the first. The scene's "
+                  "first if not given; a scene without any is framed")
+      ->check(kNotEmpty)
+      ->type_name("NAME|N");
 }
 
 /// @param served what the --distribution serves

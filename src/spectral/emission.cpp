@@ -21,9 +21,20 @@ class TableBuilder {
     lambda_.push_back(lambda);
     value_.push_back(value);
   }
-  TabulatedSpectrum build() { return {std::move(lambda_), std::move(value_), Beyond::zero}; }
+  TabulatedSpectrum build() {
+    scale_extremes();
+    return {std::move(lambda_), std::move(value_), Beyond::zero};
+  }
 
  private:
+  /// An emission's scale means nothing, but sums and squares of such values would overflow or vanish.
+  void scale_extremes() {
+    const double largest = *std::ranges::max_element(value_);
+    if (largest == 0.0 || (largest < 1e100 && largest > 1e-100)) return;
+    const int exponent = std::ilogb(largest);
+    for (double& v : value_) v = std::scalbn(v, -exponent);
+  }
+
   std::vector<double> lambda_, value_;
 };
 
