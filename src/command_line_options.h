@@ -62,7 +62,8 @@ CLI::App* add_command(CLI::App& app, const char* name, const char* description, 
   return command;
 }
 
-/// `photopic optimize`, bound in a file of its own.
+/// `photopic optimize` and `photopic compare`, bound in files of their own.
 void bind_optimize(CLI::App& app, std::function<int()>& action, int& threads);
+void bind_compare(CLI::App& app, std::function<int()>& action, int& threads);
 
 }  // namespace photopic

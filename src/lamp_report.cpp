@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <numbers>
-#include <set>
+#include <vector>
 
 #include "core/framing.h"
 #include "core/lights/area_light.h"
@@ -84,16 +84,16 @@ void add_surfaces(const Scene& scene, LampList& lamps) {
 }
 
 void add_punctual(const Scene& scene, const GltfContents& contents, double radius, LampList& lamps) {
-  std::set<std::string> used;
+  std::vector<bool> used(contents.lights.size());
   for (const PunctualLight& light : scene.punctual_lights) {
     const bool distant = light.kind == PunctualLight::Kind::directional;
     const char* type = distant ? "directional" : light.kind == PunctualLight::Kind::spot ? "spot" : "point";
     lamps.add(light.name, type, light.emission_spectrum, light.intensity,
               distant ? "illuminance_lx" : "intensity_cd", distant ? "lx" : "cd", 0.0, light.power(radius));
-    used.insert(light.name);
+    if (light.index >= 0) used[static_cast<std::size_t>(light.index)] = true;
   }
-  for (const GltfContents::Named& light : contents.lights)
-    if (!used.contains(light.name)) lamps.add_unused(light);
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (!used[i]) lamps.add_unused(contents.lights[i]);
 }
 
 void add_environment(const Environment& environment, double radius, LampList& lamps) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/surface.h"
+#include "core/texture_slots.h"
 #include "scene_report.h"
 #include "spectral/illuminants.h"
 #include "spectral/observer.h"
@@ -43,37 +44,76 @@ std::string kind_of(const Material& m) {
   const double glass = m.transmission * (1.0 - m.metallic);
   const std::string clear = m.thin_walled ? "thin glass" : "solid glass";
   if (glass >= 1.0) return clear;
-  const Surface surface(m);
-  const std::string opaque = surface.opaque_kind == BsdfKind::diffuse ? "diffuse"
-                             : m.metallic >= 1.0f                     ? "metal"
-                             : m.metallic > 0.0f                      ? "dielectric and metal"
-                                                                      : "dielectric";
+  const std::string opaque = opaque_kind_of(m) == BsdfKind::diffuse ? "diffuse"
+                             : m.metallic >= 1.0f                   ? "metal"
+                             : m.metallic > 0.0f                    ? "dielectric and metal"
+                                                                    : "dielectric";
   return glass > 0.0 ? opaque + " and " + clear : opaque;
 }
 
-Json parameters_of(const Material& m) {
-  Json json = {{"roughness", m.roughness}};
-  const auto add = [&](const char* name, float value, float otherwise) {
+/// Collects what is not as by default.
+class Parameters {
+ public:
+  void add(const char* name, float value, float otherwise = 0.0f) {
     if (value != otherwise) json[name] = value;
-  };
-  add("metallic", m.metallic, 0.0f);
-  add("ior", m.ior, 1.5f);
-  add("specular", m.specular, 1.0f);
-  add("transmission", m.transmission, 0.0f);
-  add("attenuation_distance", m.attenuation_distance, 0.0f);
-  add("priority", static_cast<float>(m.priority), 0.0f);
+  }
+  void add(const char* name, bool value) {
+    if (value) json[name] = true;
+  }
+  void add_color(const char* name, const Spectrum& reflectance) {
+    if (const auto* grey = std::get_if<ConstantSpectrum>(&reflectance); grey && grey->value == 1.0) return;
+    const Rgb color = color_under_d65(reflectance);
+    json[name] = {color.r, color.g, color.b};
+  }
+  Json json;
+};
+
+void add_layers(const Material& m, Parameters& p) {
   const MaterialExtensions& x = m.extensions;
-  if (x.dispersion && is_dispersive(*x.dispersion)) json["abbe_number"] = abbe_number(*x.dispersion);
-  add("clearcoat", x.clearcoat, 0.0f);
-  add("anisotropy", x.anisotropy, 0.0f);
-  add("iridescence", x.iridescence, 0.0f);
-  add("diffuse_transmission", x.diffuse_transmission, 0.0f);
-  if (x.has_sheen()) json["sheen_roughness"] = x.sheen_roughness;
-  if (m.alpha_mode == AlphaMode::mask) json["alpha_cutoff"] = m.alpha_cutoff;
-  if (m.alpha_mode == AlphaMode::blend) json["alpha_blend"] = true;
-  if (m.double_sided) json["double_sided"] = true;
-  if (m.has_vertex_colors) json["vertex_colors"] = true;
-  return json;
+  p.add("clearcoat", x.clearcoat);
+  if (x.clearcoat > 0.0f) p.json["clearcoat_roughness"] = x.clearcoat_roughness;
+  if (x.has_sheen()) {
+    p.add_color("sheen_color", x.sheen_color);
+    p.json["sheen_roughness"] = x.sheen_roughness;
+  }
+  p.add("anisotropy", x.anisotropy);
+  if (x.anisotropy > 0.0f) p.add("anisotropy_rotation", x.anisotropy_rotation);
+  p.add("iridescence", x.iridescence);
+  if (x.iridescence > 0.0f) {
+    p.json["iridescence_ior"] = x.iridescence_ior;
+    p.json["iridescence_thickness_nm"] = x.iridescence_thickness;
+    if (m.textures && m.textures->iridescence_thickness) p.json["thinnest_film_nm"] = x.thinnest_film;
+  }
+  p.add("diffuse_transmission", x.diffuse_transmission);
+  if (x.diffuse_transmission > 0.0f) p.add_color("diffuse_transmission_color", x.diffuse_transmission_color);
+}
+
+Json parameters_of(const Material& m) {
+  Parameters p;
+  p.json["roughness"] = m.roughness;
+  p.add("metallic", m.metallic);
+  p.add("ior", m.ior, 1.5f);
+  p.add("specular", m.specular, 1.0f);
+  p.add_color("specular_color", m.specular_color);
+  p.add("transmission", m.transmission);
+  p.add("attenuation_distance", m.attenuation_distance);
+  if (m.attenuation_distance > 0.0f) p.add_color("attenuation_color", m.attenuation_color);
+  p.add("priority", static_cast<float>(m.priority));
+  if (const auto& index = m.extensions.dispersion; index && is_dispersive(*index))
+    p.json["abbe_number"] = abbe_number(*index);
+  add_layers(m, p);
+  if (m.alpha_mode == AlphaMode::mask) p.json["alpha_cutoff"] = m.alpha_cutoff;
+  p.add("alpha_blend", m.alpha_mode == AlphaMode::blend);
+  p.add("double_sided", m.double_sided);
+  p.add("vertex_colors", m.has_vertex_colors);
+  return p.json;
+}
+
+/// Of a number, a colour, or what is so or not.
+std::string value_text(const Json& value) {
+  if (value.is_boolean()) return "";
+  if (value.is_number()) return fmt::format(" {:.4g}", value.get<double>());
+  return " " + color_text({value[0], value[1], value[2]});
 }
 
 std::string parameters_text(const Json& parameters) {
@@ -81,30 +121,16 @@ std::string parameters_text(const Json& parameters) {
   for (const auto& [name, value] : parameters.items()) {
     std::string words = name;
     std::replace(words.begin(), words.end(), '_', ' ');
-    parts.push_back(value.is_boolean() ? words : fmt::format("{} {:.4g}", words, value.get<double>()));
+    parts.push_back(words + value_text(value));
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
-
-struct Slot {
-  const char* name;
-  Texture MaterialTextures::*texture;
-};
-constexpr Slot kSlots[] = {
-    {"base color", &MaterialTextures::base_color},
-    {"metallic-roughness", &MaterialTextures::metallic_roughness},
-    {"normal", &MaterialTextures::normal},
-    {"emissive", &MaterialTextures::emissive},
-    {"transmission", &MaterialTextures::transmission},
-    {"specular", &MaterialTextures::specular},
-    {"specular color", &MaterialTextures::specular_color},
-};
 
 /// Calls `visit(slot's name, texture)` for each that the material has.
 template <typename Visit>
 void for_each_texture(const Material& material, const Visit& visit) {
   if (!material.textures) return;
-  for (const Slot& slot : kSlots)
+  for (const TextureSlot& slot : kTextureSlots)
     if (const Texture& texture = (*material.textures).*slot.texture) visit(slot.name, texture);
 }
 

@@ -37,14 +37,18 @@ std::string sampler_table(const std::vector<SamplerRow>& rows, const std::string
 
 nlohmann::ordered_json samplers_json(const std::vector<SamplerRow>& rows) {
   auto json = nlohmann::ordered_json::array();
-  for (const SamplerRow& row : rows)
-    json.push_back({{"sampler", row.name},
-                    {"objective_value", row.objective_value},
-                    {"one_path_delta_e", row.report.one_path_delta_e},
-                    {"delta_e_64_paths_white", row.report.white_delta_e},
-                    {"delta_e_64_paths_reflectances", row.report.reflectances_delta_e},
-                    {"luminance_relative_deviation", row.report.luminance_deviation}});
+  for (const SamplerRow& row : rows) {
+    json.push_back({{"sampler", row.name}, {"objective_value", row.objective_value}});
+    add_report(json.back(), row.report);
+  }
   return json;
+}
+
+void add_report(nlohmann::ordered_json& json, const SamplerReport& report) {
+  json["one_path_delta_e"] = report.one_path_delta_e;
+  json["delta_e_64_paths_white"] = report.white_delta_e;
+  json["delta_e_64_paths_reflectances"] = report.reflectances_delta_e;
+  json["luminance_relative_deviation"] = report.luminance_deviation;
 }
 
 }  // namespace photopic

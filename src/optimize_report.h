@@ -23,6 +23,9 @@ std::vector<SamplerRow> measure_samplers(const WavelengthDistribution& distribut
 /// The table for a terminal; `objective` heads the column of objective values, gains are to the first row.
 std::string sampler_table(const std::vector<SamplerRow>& rows, const std::string& objective);
 
+/// Its figures, into an object.
+void add_report(nlohmann::ordered_json& json, const SamplerReport& report);
+
 /// An array with an object for each sampler.
 nlohmann::ordered_json samplers_json(const std::vector<SamplerRow>& rows);
 

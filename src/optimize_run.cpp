@@ -32,11 +32,8 @@ void write_color_bar(const std::filesystem::path& file, std::span<const Waveleng
                      const TabulatedSpectrum& emission) {
   const ColorBar bar = color_bar(samplers, emission);
   Image image(bar.width, bar.height);
-  for (std::size_t i = 0; i < bar.pixels.size(); ++i) {
-    image.pixels[3 * i] = static_cast<float>(bar.pixels[i].r);
-    image.pixels[3 * i + 1] = static_cast<float>(bar.pixels[i].g);
-    image.pixels[3 * i + 2] = static_cast<float>(bar.pixels[i].b);
-  }
+  for (std::size_t i = 0; i < bar.pixels.size(); ++i)
+    image.set(i, bar.pixels[i].r, bar.pixels[i].g, bar.pixels[i].b);
   write_image(file, image);
 }
 

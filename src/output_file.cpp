@@ -1,10 +1,10 @@
 #include "output_file.h"
 
-#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
 #include "error.h"
+#include "file_ending.h"
 #include "messages.h"
 
 namespace photopic {
@@ -32,9 +32,7 @@ void check_writable_folder(const fs::path& folder) {
 }
 
 bool is_svg(const fs::path& file) {
-  std::string ending = file.extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return ending == ".svg";
+  return lower_case_ending(file) == ".svg";
 }
 
 void check_writable_plot(const fs::path& file) {

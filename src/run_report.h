@@ -39,7 +39,7 @@ struct Run {
 Run make_run(const std::string& sampler, int spp, int wavelengths, std::uint32_t seed,
              const RenderResult& result);
 
-/// The run object of interface's JSON. What is not known (of an existing image, without a reference) is null.
+/// A run as JSON files tell of it. What is not known (of an existing image, without a reference) is null.
 nlohmann::ordered_json run_json(const Run& run);
 
 /// The fields of run_json that metrics fill.

@@ -9,7 +9,6 @@
 #include "error.h"
 #include "interrupt.h"
 #include "spectral/lamp_set.h"
-#include "spectral/observer.h"
 
 namespace photopic {
 namespace {
@@ -74,9 +73,7 @@ OptimizeOptions optimize_options(int wavelengths, std::string_view objective, st
 }
 
 Xyz white_point(std::string_view name, const TabulatedSpectrum& emission) {
-  if (white_named(name) == White::d65) return d65_white();
-  const Xyz white = emission_xyz(emission, Observer::cie1931());
-  return white * (1.0 / white.y);
+  return white_of(white_named(name), emission);
 }
 
 DistributionRequest distribution_request(const SceneArguments& arguments, const PreparedScene& scene,

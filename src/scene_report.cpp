@@ -107,13 +107,12 @@ ReportSection report_cameras(const Scene& scene, const GltfContents& contents) {
     section.rows.push_back(std::move(row));
     section.json.push_back(std::move(json));
   };
-  bool found = false;
-  for (const GltfContents::Named& listed : contents.cameras) {
-    const bool used = !found && listed.name == scene.camera_name;
-    found |= used;
-    add(listed.name, listed.type, used);
+  for (std::size_t i = 0; i < contents.cameras.size(); ++i) {
+    const GltfContents::Named& listed = contents.cameras[i];
+    const bool used = static_cast<int>(i) == scene.camera_index;
+    add(used ? scene.camera_name : listed.name, listed.type, used);
   }
-  if (!found) add(scene.camera_name, "perspective", true);  // the one that frames the scene
+  if (scene.camera_index < 0) add(scene.camera_name, "perspective", true);
   return section;
 }
 

@@ -15,7 +15,6 @@ namespace photopic {
 namespace {
 
 constexpr int kMaxSide = 65536;
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;  // the film takes 56 bytes a pixel
 
 EmitterOverride parse_emitter(const std::string& text) {
   const std::size_t equals = text.find('=');
@@ -75,10 +74,6 @@ Scene load_scene(const SceneArguments& arguments, const std::vector<std::filesys
   Scene scene = load_gltf(arguments.scene, gltf_options(arguments));
   check_no_overwriting(outputs, scene.files);
   for (const std::string& warning : scene.warnings) print_warning(warning);
-  if (std::int64_t{scene.camera.width} * scene.camera.height > kMaxPixels)
-    throw InputError(arguments.scene.string(),
-                     fmt::format("an image of {}x{} is too large", scene.camera.width, scene.camera.height),
-                     fmt::format("choose a --resolution of at most {} pixels", kMaxPixels));
   for (const auto& output : outputs) check_image_size(output, scene.camera.width, scene.camera.height);
   return scene;
 }

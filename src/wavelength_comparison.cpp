@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "optimize_report.h"
 #include "spectral/lamp_set.h"
 #include "spectral/wavelength_sampler.h"
 #include "text_table.h"
@@ -63,11 +64,9 @@ std::string wavelength_table(const std::vector<WavelengthRow>& rows) {
 
 nlohmann::ordered_json wavelengths_json(const std::vector<WavelengthRow>& rows) {
   const auto report = [](const std::string& name, const SamplerReport& r) {
-    return nlohmann::ordered_json{{"sampler", name},
-                                  {"one_path_delta_e", r.one_path_delta_e},
-                                  {"delta_e_64_paths_white", r.white_delta_e},
-                                  {"delta_e_64_paths_reflectances", r.reflectances_delta_e},
-                                  {"luminance_relative_deviation", r.luminance_deviation}};
+    nlohmann::ordered_json json = {{"sampler", name}};
+    add_report(json, r);
+    return json;
   };
   auto json = nlohmann::ordered_json::array();
   for (const WavelengthRow& row : rows)

@@ -51,9 +51,7 @@ Image Film::to_linear_srgb(const ChromaticAdaptation& adaptation) const {
   Image image(width_, height_);
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     const Rgb rgb = xyz_to_linear_srgb(adaptation(mean(i)));
-    image.pixels[3 * i] = static_cast<float>(rgb.r);
-    image.pixels[3 * i + 1] = static_cast<float>(rgb.g);
-    image.pixels[3 * i + 2] = static_cast<float>(rgb.b);
+    image.set(i, rgb.r, rgb.g, rgb.b);
   }
   return image;
 }
@@ -62,9 +60,7 @@ Image Film::to_xyz() const {
   Image image(width_, height_, ColorSpace::xyz);
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
     const Xyz xyz = mean(i);
-    image.pixels[3 * i] = static_cast<float>(xyz.x);
-    image.pixels[3 * i + 1] = static_cast<float>(xyz.y);
-    image.pixels[3 * i + 2] = static_cast<float>(xyz.z);
+    image.set(i, xyz.x, xyz.y, xyz.z);
   }
   return image;
 }

@@ -28,6 +28,7 @@ class Film {
   int width() const { return width_; }
   int height() const { return height_; }
 
+  std::uint64_t count(std::size_t pixel) const { return pixels_[pixel].count; }  ///< of samples
   Xyz mean(std::size_t pixel) const;
   /// Variance of the pixel's mean, from its samples as if they were independent (an upper estimate for
   /// stratified ones).

@@ -1,20 +1,9 @@
 #include "core/framing.h"
 
+#include "core/box.h"
+
 namespace photopic {
 namespace {
-
-struct Box {
-  Vec3f low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-
-  void add(Vec3f p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  bool is_empty() const { return !(low.x <= high.x); }
-  Vec3f corner(int i) const {
-    return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
-  }
-};
 
 template <typename Visit>
 void for_each_corner(const Geometry& geometry, std::size_t first_shape, std::size_t count,
@@ -31,12 +20,12 @@ void for_each_corner(const Geometry& geometry, std::size_t first_shape, std::siz
 template <typename Visit>
 void for_each_point(const Geometry& geometry, const Visit& visit) {
   for_each_corner(geometry, 0, geometry.baked_shape_count(), visit);
-  std::vector<Box> boxes(geometry.prototypes.size());
+  std::vector<Boxf> boxes(geometry.prototypes.size());
   for (std::size_t p = 0; p < boxes.size(); ++p)
     for_each_corner(geometry, geometry.prototypes[p].first_shape, geometry.prototypes[p].shape_count,
                     [&](Vec3f point) { boxes[p].add(point); });
   for (const Instance& instance : geometry.instances) {
-    const Box& box = boxes[instance.prototype];
+    const Boxf& box = boxes[instance.prototype];
     if (box.is_empty()) continue;
     for (int i = 0; i < 8; ++i) visit(instance.to_world.point(box.corner(i)));
   }
@@ -45,7 +34,7 @@ void for_each_point(const Geometry& geometry, const Visit& visit) {
 }  // namespace
 
 BoundingBox bounding_box(const Geometry& geometry) {
-  Box box;
+  Boxf box;
   for_each_point(geometry, [&](Vec3f point) { box.add(point); });
   return box.is_empty() ? BoundingBox{} : BoundingBox{box.low, box.high};
 }

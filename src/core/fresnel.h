@@ -82,12 +82,12 @@ struct ThinFilm {
   float phase = 0.0f;        ///< 2π·thickness/λ
 
   float reflectance(float cos_i) const {
-    cos_i = std::max(cos_i, 1e-4f);  // at grazing incidence 0/0 where the film is no film
-    const float sin2 = sqr(outside) * std::max(0.0f, 1.0f - sqr(cos_i));
-    const Complex e0{sqr(outside)}, e1{sqr(film)}, e2 = base * base;
-    // n cos θ in each medium, from Snell's law.
-    const Complex q0{outside * cos_i}, q1 = complex_sqrt(e1 - Complex{sin2}),
-                                       q2 = complex_sqrt(e2 - Complex{sin2});
+    cos_i = std::max(cos_i, 1e-6f);  // q0 = q2 = 0 would be 0/0 where the film is half a wave
+    const Complex n0{outside}, n1{film}, e0 = n0 * n0, e1 = n1 * n1, e2 = base * base;
+    // n cos θ in each medium, from Snell's law: q² = n² − n0² + q0², which cancels nothing at grazing
+    // incidence.
+    const Complex q0{outside * cos_i}, q1 = complex_sqrt(off_zero((n1 - n0) * (n1 + n0) + q0 * q0)),
+                                       q2 = complex_sqrt((base - n0) * (base + n0) + q0 * q0);
     // e^{2iβ}, β = q1·phase.
     const float damping = std::exp(-2.0f * phase * q1.im), angle = 2.0f * phase * q1.re;
     const Complex round{damping * std::cos(angle), damping * std::sin(angle)};
@@ -98,6 +98,13 @@ struct ThinFilm {
   }
 
  private:
+  /// At the critical angle of a film that is thinner than what is outside, the sum is 0/0. It is even in q1,
+  /// so that its limit is as good a little beside.
+  static Complex off_zero(Complex q1_squared) {
+    constexpr float kLeast = 1e-6f;
+    if (std::abs(q1_squared.re) < kLeast) q1_squared.re = std::copysign(kLeast, q1_squared.re);
+    return q1_squared;
+  }
   static float airy(Complex first, Complex second, Complex round) {
     const Complex returning = second * round;
     return ((first + returning) / (Complex{1.0f} + first * returning)).norm();

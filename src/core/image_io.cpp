@@ -17,6 +17,7 @@
 #include "atomic_file.h"
 #include "core/quiet_stderr.h"
 #include "error.h"
+#include "file_ending.h"
 #include "spectral/color.h"
 
 namespace photopic {
@@ -27,14 +28,8 @@ constexpr int kMaxJpegSide = 65500;  // libjpeg's JPEG_MAX_DIMENSION; beyond it 
 
 enum class Encoding { unknown, linear, srgb };
 
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 Encoding encoding_of(const std::filesystem::path& file) {
-  const std::string ending = lower_case(file.extension().string());
+  const std::string ending = lower_case_ending(file);
   if (ending == ".exr" || ending == ".hdr") return Encoding::linear;
   if (ending == ".png" || ending == ".jpg" || ending == ".jpeg") return Encoding::srgb;
   return Encoding::unknown;
@@ -157,7 +152,7 @@ void check_writable_image(const std::filesystem::path& file) {
 }
 
 void check_image_size(const std::filesystem::path& file, int width, int height) {
-  const std::string ending = lower_case(file.extension().string());
+  const std::string ending = lower_case_ending(file);
   if ((ending != ".jpg" && ending != ".jpeg") || std::max(width, height) <= kMaxJpegSide) return;
   throw InputError(
       file.string(),
@@ -170,7 +165,7 @@ bool is_float_image(const std::filesystem::path& file) {
 }
 
 bool can_hold_xyz(const std::filesystem::path& file) {
-  return lower_case(file.extension().string()) == ".exr";
+  return lower_case_ending(file) == ".exr";
 }
 
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata,

@@ -26,6 +26,12 @@ struct Image {
                         static_cast<std::size_t>(x))];
   }
   const float* at(int x, int y) const { return const_cast<Image*>(this)->at(x, y); }
+  /// The i-th pixel.
+  void set(std::size_t i, double a, double b, double c) {
+    pixels[3 * i] = static_cast<float>(a);
+    pixels[3 * i + 1] = static_cast<float>(b);
+    pixels[3 * i + 2] = static_cast<float>(c);
+  }
 };
 
 using Metadata = std::map<std::string, std::string>;

@@ -7,6 +7,30 @@
 #include "spectral/rgb_light.h"
 
 namespace photopic {
+namespace {
+
+std::vector<bool> used_materials(const Scene& scene) {
+  std::vector<bool> used(scene.materials.size());
+  for (const Shape& shape : scene.geometry.shapes) used[shape.material] = true;
+  return used;
+}
+
+}  // namespace
+
+void prepare_albedos(std::span<const Material> materials, const std::vector<bool>& used,
+                     std::span<Surface> surfaces) {
+  std::vector<Surface*> shaded;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!used[i]) continue;
+    Surface& s = surfaces[i];
+    shaded.push_back(&s);
+    if (!s.extensions) continue;
+    s.grain_albedo = grain_albedo_of(materials[i]);
+    FresnelAlbedo::table();
+    if (s.extensions->has_sheen()) SheenAlbedo::table();
+  }
+  prepare_rough_glass(shaded);
+}
 
 PreparedScene::PreparedScene(Scene source)
     : scene(std::move(source)),
@@ -15,18 +39,9 @@ PreparedScene::PreparedScene(Scene source)
       touching(touching_triangles(scene.geometry, surfaces)),
       accel(scene.geometry, surfaces, quads.get(), !touching.empty()),
       lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces) {
-  prepare_rough_glass(surfaces);
   // What is made when first asked for is made now, on nobody's clock.
+  prepare_albedos(scene.materials, used_materials(scene), surfaces);
   if (scene.environment) rgb_tints();
-  std::vector<bool> used(surfaces.size());
-  for (const Shape& shape : scene.geometry.shapes) used[shape.material] = true;
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const Surface& s = surfaces[i];
-    if (!used[i]) continue;
-    if (!s.extensions) continue;
-    FresnelAlbedo::table();
-    if (s.extensions->has_sheen()) SheenAlbedo::table();
-  }
 }
 
 TabulatedSpectrum scene_emission(const PreparedScene& scene) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/accel.h"
@@ -11,6 +12,11 @@
 #include "core/surface.h"
 
 namespace photopic {
+
+/// Integrates the albedo tables that surfaces need, each once.
+/// @param materials of the surfaces, one by one @param used which are seen; the others get no table
+void prepare_albedos(std::span<const Material> materials, const std::vector<bool>& used,
+                     std::span<Surface> surfaces);
 
 /// A scene made ready for rendering: what every sampler and every render of it share.
 struct PreparedScene {

@@ -44,14 +44,11 @@ bool may_surround(const Surface& around, const Surface& glass) {
   return &around != &glass && around.encloses && around.priority <= glass.priority;
 }
 
-}  // namespace
-
-void prepare_rough_glass(Surface& glass, std::span<const Surface> others) {
-  if (!is_rough_glass(glass)) return;
+void prepare(Surface& glass, std::span<Surface* const> others) {
   std::vector<float> ratios;
   add_ratios(ratios, glass, nullptr);
-  for (const Surface& around : others)
-    if (may_surround(around, glass)) add_ratios(ratios, glass, &around);
+  for (const Surface* around : others)
+    if (may_surround(*around, glass)) add_ratios(ratios, glass, around);
   thin_out(ratios);
   if (ratios.empty()) return;  // where there is no change of index, nothing scatters
   const bool varies = glass.textures && glass.textures->metallic_roughness;
@@ -60,9 +57,11 @@ void prepare_rough_glass(Surface& glass, std::span<const Surface> others) {
   glass.glass_albedo = std::make_shared<const GlassAlbedo>(std::move(ratios), roughness, has_film);
 }
 
-void prepare_rough_glass(std::span<Surface> surfaces) {
-  if (std::ranges::count_if(surfaces, &Surface::encloses) < 2) return;
-  for (Surface& s : surfaces) prepare_rough_glass(s, surfaces);
+}  // namespace
+
+void prepare_rough_glass(std::span<Surface* const> surfaces) {
+  for (Surface* s : surfaces)
+    if (is_rough_glass(*s)) prepare(*s, surfaces);
 }
 
 }  // namespace photopic

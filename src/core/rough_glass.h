@@ -6,12 +6,9 @@
 
 namespace photopic {
 
-/// Makes the table that a surface needs if it is of rough solid glass: for the ratios of indices that it can
-/// have to what is around it, air or others' media.
-/// @param others that may enclose media; those that would hide the surface do not count
-void prepare_rough_glass(Surface& glass, std::span<const Surface> others);
-
-/// The same for all surfaces of a scene. Where there is but one medium they have theirs already.
-void prepare_rough_glass(std::span<Surface> surfaces);
+/// Makes the tables of those surfaces of a scene that are of rough solid glass: for the ratios of indices
+/// that each can have to what is around it, air or others' media; those that would hide it do not count.
+/// @param surfaces all that are used
+void prepare_rough_glass(std::span<Surface* const> surfaces);
 
 }  // namespace photopic

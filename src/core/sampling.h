@@ -12,7 +12,7 @@ struct SinCos {
   T sin, cos;
 };
 
-/// sin 2πu and cos 2πu for u in [−1/8, 1], to 2e-7: Taylor polynomials about the nearest quarter turn.
+/// sin 2πu and cos 2πu for u in [−1/8, 1], to 4e-7: Taylor polynomials about the nearest quarter turn.
 template <typename T>
 SinCos<T> sin_cos_two_pi(T u) {
   const T quarter = floor(4.0f * u + 0.5f);

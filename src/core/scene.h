@@ -49,9 +49,10 @@ enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 /// authored.
 struct Material {
   std::string name;
-  Spectrum base_color = ConstantSpectrum{1.0};  ///< reflectance in [0, 1]; where nothing varies it, else:
-  Vec3f base_factor{1, 1, 1};      ///< linear sRGB, times texture and vertex colour; the product is upsampled
-  bool base_is_measured = false;   ///< or, if base_color was given as a spectrum: that times their luminance
+  Spectrum base_color = ConstantSpectrum{1.0};  ///< reflectance in [0, 1], where nothing varies it
+  /// Where a texture or vertex colours do: linear sRGB, times these; the product is upsampled.
+  Vec3f base_factor{1, 1, 1};
+  bool base_is_measured = false;   ///< base_color was given as a spectrum: it varies by their luminance alone
   bool has_vertex_colors = false;  ///< some mesh has COLOR_0 with this material
   std::shared_ptr<const MaterialTextures> textures{};  ///< none in most scenes
   AlphaMode alpha_mode = AlphaMode::opaque;
@@ -71,16 +72,16 @@ struct Material {
   bool double_sided = false;  ///< single-sided surfaces emit from their front only
 
   std::uint8_t uv_sets = 0;  ///< bit i: a texture of it reads TEXCOORD_i; the geometry stores no other
-  bool needs_tangents =
-      false;  ///< it has a normal map (or is anisotropic): TANGENT is stored if the file has it
+  /// It has a normal map, or is anisotropic: TANGENT is stored if the file has it.
+  bool needs_tangents = false;
 
   int emission_spectrum = -1;       ///< index into Scene::emission_spectra, −1: emits nothing
-  float emission_luminance = 0.0f;  ///< factor on that spectrum, which has unit luminance [cd/m²]; textured
-                                    ///< or unlit:
-  Vec3f emissive_factor{1, 1, 1};   ///< linear sRGB in [0, 1], times texture: a further factor, upsampled
-  bool emission_is_measured = false;  ///< or, if the spectrum was given: of it only the luminance
-  bool unlit =
-      false;  ///< KHR_materials_unlit: a lamp in its base colour (vertex colours too) that reflects nothing
+  float emission_luminance = 0.0f;  ///< factor on that spectrum, which has unit luminance [cd/m²]
+  /// Of what is textured or unlit a further factor: linear sRGB in [0, 1], times texture; upsampled.
+  Vec3f emissive_factor{1, 1, 1};
+  bool emission_is_measured = false;  ///< the spectrum was given: of that factor only the luminance counts
+  /// KHR_materials_unlit: a lamp in its base colour (vertex colours too) that reflects nothing.
+  bool unlit = false;
 };
 
 /// A range of triangles that share a material.
@@ -106,10 +107,10 @@ struct Instance {
 /// Triangles in world space, relative to Scene::origin [m]; those of prototypes in the prototype's own space.
 struct Geometry {
   std::vector<Vec3f> positions;
-  std::vector<std::array<std::uint32_t, 3>>
-      triangles;  ///< indices into positions; counter-clockwise seen from the front
-  std::vector<Shape>
-      shapes;  ///< cover the triangles in order; those of prototypes stand last, and do not emit
+  /// Indices into positions; counter-clockwise seen from the front.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// Cover the triangles in order; those of prototypes stand last, and do not emit.
+  std::vector<Shape> shapes;
 
   std::vector<Prototype> prototypes;  ///< empty in most scenes
   std::vector<Instance> instances;
@@ -136,6 +137,7 @@ struct Scene {
   std::shared_ptr<const Environment> environment;  ///< none: paths that leave the scene end in the dark
   Camera camera;
   std::string camera_name;  ///< of the camera, else of its node
+  int camera_index = -1;    ///< in the file's list; −1: in none, it frames the scene
   Vec3d origin;             ///< world position of the coordinates' zero: floats stay accurate far from 0
   std::vector<std::string> warnings;         ///< one line each: what was ignored or mended
   std::vector<std::filesystem::path> files;  ///< that the scene's file names; some may not exist

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "core/bsdf.h"
-#include "core/fresnel.h"
 #include "core/further_glass.h"
+#include "core/glass_reflectance.h"
 #include "core/microfacet.h"
-#include "spectral/refractive_index.h"
 
 namespace photopic {
 
@@ -23,29 +22,16 @@ class SpectralGlassBsdf {
   static constexpr bool kTwoSided = false;
   static constexpr bool kLitFromBehind = true;
 
-  /// @param throughput of the path: wavelengths that carry nothing are not chosen
+  /// @param throughput of the path: wavelengths that carry nothing are not chosen, unless none does
   SpectralGlassBsdf(const ShadingMaterial<N>& m, Vec3f wo, SampledSpectrum<N> throughput)
       : side_(wo.z < 0.0f ? -1.0f : 1.0f),
         wo_{wo.x, wo.y, wo.z * side_},
         ggx_{sqr(m.roughness())},
         solid_(m.surface().solid),
         tint_(m.base_color()),
-        specular_(m.specular()),
-        specular_color_(m.specular_color()) {
-    float thickness = 0.0f;
-    if (const MaterialExtensions* x = m.surface().extensions.get(); x && x->iridescence > 0.0f) {
-      film_ = m.iridescence(), film_ior_ = x->iridescence_ior;
-      thickness = m.film_thickness();
-    }
+        reflectance_(m, side_ < 0.0f, !smooth()) {
     const float total = throughput.sum();
-    for (int j = 0; j < N; ++j) {
-      q_.v[j] = throughput[j] / total;
-      ior_.v[j] = m.surface().index(m.lambda()[j]);
-      if (solid_) outside_.v[j] = m.outside_index(m.lambda()[j]);
-      if (!smooth() && is_index_matched(ior_[j] / outside_[j])) ior_.v[j] = outside_[j] * kLeastRoughIor;
-      eta_.v[j] = !solid_ || side_ > 0.0f ? ior_[j] / outside_[j] : outside_[j] / ior_[j];
-      phase_.v[j] = 2.0f * kPi * thickness / m.lambda()[j];
-    }
+    for (int j = 0; j < N; ++j) q_.v[j] = total == 0.0f ? 1.0f / N : throughput[j] / total;
     disperses_ = solid_ && (m.surface().disperses() || m.outside_disperses());
     if (smooth() || wo_.z == 0.0f) return;
     g1_ = ggx_.g1(wo_);
@@ -81,34 +67,12 @@ class SpectralGlassBsdf {
 
  private:
   bool smooth() const { return ggx_.alpha < kSmoothAlpha; }
-
-  SampledSpectrum<N> reflectance(float cos_i) const {
-    SampledSpectrum<N> f;
-    for (int j = 0; j < N; ++j) {
-      f.v[j] = reflectance(cos_i, j);
-      if (!solid_) f.v[j] = 2.0f * f[j] / (1.0f + f[j]);
-    }
-    return f;
-  }
-  float reflectance(float cos_i, int j) const {
-    float f = fresnel_dielectric(cos_i, eta_[j]);
-    if (f == 1.0f) return f;
-    if (film_ > 0.0f) f += film_ * (filmed(cos_i, j) - f);
-    return specular_of(j).scaled(f, cos_i, eta_[j]);
-  }
-  SpecularScale specular_of(int j) const {
-    return {specular_ * std::min(specular_color_[j], 1.0f), specular_};
-  }
-  float filmed(float cos_i, int j) const {
-    const bool inside = solid_ && side_ < 0.0f;
-    const float from = inside ? ior_[j] : outside_[j], to = inside ? outside_[j] : ior_[j];
-    return ThinFilm{from, film_ior_, {to}, phase_[j]}.reflectance(cos_i);
-  }
+  float eta(int j) const { return reflectance_.eta(j); }
 
   /// One bounce or passage. @param u_lobe uniform
   std::optional<BsdfSample<N>> sample_one(float u_lobe, Sample2d u) const {
     const Vec3f m = smooth() ? Vec3f{0, 0, 1} : ggx_.sample_visible(wo_, u);
-    const SampledSpectrum<N> f = reflectance(dot(wo_, m));
+    const SampledSpectrum<N> f = reflectance_(dot(wo_, m));
     const float reflected = (q_ * f).sum();
     if (u_lobe < reflected) return bounce(m, f / reflected);
     if (!solid_) return pass(m, tint_ * (SampledSpectrum<N>(1.0f) - f) / (1.0f - reflected));
@@ -128,21 +92,17 @@ class SpectralGlassBsdf {
     const Vec3f wi = further_[chosen].sample(share > 0.0f ? std::min(u / share, 1.0f) : 0.0f, u_direction);
     if (wi.z == 0.0f) return {};
     BsdfSample<N> s{wi, SampledSpectrum<N>(0.0f), 0.0f, false};
-    if (solid_ && wi.z < 0.0f) s.eta = eta_[k];
+    if (solid_ && wi.z < 0.0f) s.eta = eta(k);
     return s;
   }
 
   FurtherGlass further(const ShadingMaterial<N>& m, int j) const {
-    if (!solid_) return FurtherGlass::of_thin_wall(wo_.z, m.roughness(), mean_reflectance(j));
+    if (!solid_)
+      return FurtherGlass::of_thin_wall(wo_.z, m.roughness(),
+                                        reflectance_.of_wall(FurtherGlass::kMeanCosine, j));
     const auto& albedo = m.surface().glass_albedo;  // none where no wavelength is refracted
     if (!albedo) return {};
-    GlassAlbedo::Reflection reflection{specular_of(j), {}};
-    if (film_ > 0.0f) reflection.film = film_difference(j);
-    return FurtherGlass::of_solid(*albedo, wo_.z, m.roughness(), eta_[j], reflection);
-  }
-  float mean_reflectance(int j) const {
-    const float f = reflectance(FurtherGlass::kMeanCosine, j);
-    return 2.0f * f / (1.0f + f);
+    return FurtherGlass::of_solid(*albedo, wo_.z, m.roughness(), eta(j), reflectance_.beyond_bare(j));
   }
 
   /// Adds further bounces to one bounce's value; densities are shared out. wi as wo_ stands.
@@ -154,20 +114,6 @@ class SpectralGlassBsdf {
       one.pdf += q_[j] * g.missing * g.pdf(wi.z);
     }
     return one;
-  }
-
-  /// What the film adds to the reflectance, as the albedo wants it; alike from either side.
-  GlassAlbedo::Film film_difference(int j) const {
-    const float thin = std::min(ior_[j], outside_[j]), dense = std::max(ior_[j], outside_[j]);
-    GlassAlbedo::Film film;
-    for (int k = 0; k < GlassAlbedo::kFilmNodes; ++k) {
-      const float c = GlassAlbedo::film_node(k), bare = fresnel_dielectric(c, dense / thin);
-      const float filmed = ThinFilm{thin, film_ior_, {dense}, phase_[j]}.reflectance(c);
-      film[static_cast<std::size_t>(k)] =
-          specular_of(j).scaled(bare + film_ * (filmed - bare), c, dense / thin) -
-          specular_of(j).scaled(bare, c, dense / thin);
-    }
-    return film;
   }
 
   std::optional<BsdfSample<N>> bounce(Vec3f m, SampledSpectrum<N> weight) const {
@@ -192,15 +138,15 @@ class SpectralGlassBsdf {
     }
     if (std::isnan(u)) k = 0;  // stays to be seen in the weight
     if (k < 0) return {};
-    const Vec3f wi = refract(wo_, m, eta_[k]);
+    const Vec3f wi = refract(wo_, m, eta(k));
     if (wi.z >= 0.0f) return {};
     BsdfSample<N> s{wi, SampledSpectrum<N>(0.0f), 0.0f, true};
-    s.eta = eta_[k];
+    s.eta = eta(k);
     if (disperses_) {
-      s.weight.v[k] = tint_[k] / (sqr(eta_[k]) * q_[k]);
+      s.weight.v[k] = tint_[k] / (sqr(eta(k)) * q_[k]);
       s.split = q_[k] < 1.0f;
     } else {
-      s.weight = tint_ * (SampledSpectrum<N>(1.0f) - f) / (sqr(eta_[k]) * (1.0f - (q_ * f).sum()));
+      s.weight = tint_ * (SampledSpectrum<N>(1.0f) - f) / (sqr(eta(k)) * (1.0f - (q_ * f).sum()));
     }
     return s;
   }
@@ -208,7 +154,7 @@ class SpectralGlassBsdf {
   /// Reflection, or what passes a thin wall: the same lobe on the other side.
   BsdfValue<N> evaluate_mirrored(Vec3f wi, bool reflected) const {
     const Vec3f m = normalize(wo_ + wi);
-    const SampledSpectrum<N> f = reflectance(dot(wo_, m));
+    const SampledSpectrum<N> f = reflectance_(dot(wo_, m));
     const SampledSpectrum<N> share = reflected ? f : SampledSpectrum<N>(1.0f) - f;
     const float d = ggx_.d(m) / (4.0f * wo_.z);
     return {(reflected ? share : share * tint_) * (d * ggx_.g2(wo_, wi)), (q_ * share).sum() * d * g1_};
@@ -218,13 +164,13 @@ class SpectralGlassBsdf {
     BsdfValue<N> value;
     const float g2 = ggx_.g2(wo_, wi);
     for (int j = 0; j < N; ++j) {
-      Vec3f m = normalize(wo_ + wi * eta_[j]);
+      Vec3f m = normalize(wo_ + wi * eta(j));
       if (m.z < 0.0f) m = -m;
       const float cos_o = dot(wo_, m);
       if (cos_o <= 0.0f || dot(wi, m) >= 0.0f) continue;
-      const float common = (1.0f - reflectance(cos_o, j)) * ggx_.d(m) * cos_o / wo_.z *
-                           refraction_jacobian(wo_, wi, m, eta_[j]);
-      value.f_cos.v[j] = tint_[j] * common * g2 / sqr(eta_[j]);
+      const float common = (1.0f - reflectance_.of_interface(cos_o, j)) * ggx_.d(m) * cos_o / wo_.z *
+                           refraction_jacobian(wo_, wi, m, eta(j));
+      value.f_cos.v[j] = tint_[j] * common * g2 / sqr(eta(j));
       value.pdf += q_[j] * common * g1_;
     }
     return value;
@@ -235,14 +181,8 @@ class SpectralGlassBsdf {
   Ggx ggx_;
   bool solid_, disperses_;
   SampledSpectrum<N> tint_;
-  float specular_;
-  SampledSpectrum<N> specular_color_;
-  float film_ = 0.0f, film_ior_ = 1.0f;
+  GlassReflectance<N> reflectance_;
   SampledSpectrum<N> q_;  ///< a wavelength's probability to be chosen
-  SampledSpectrum<N> ior_;
-  SampledSpectrum<N> outside_{1.0f};  ///< index of the medium in front
-  SampledSpectrum<N> eta_;            ///< η_t/η_i
-  SampledSpectrum<N> phase_;          ///< of the film: 2π·thickness/λ
   std::array<FurtherGlass, N> further_;
   float p_further_ = 0.0f;  ///< of choosing further bounces
   float g1_ = 1.0f;         ///< of wo

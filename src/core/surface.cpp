@@ -1,7 +1,5 @@
 #include "core/surface.h"
 
-#include "core/rough_glass.h"
-
 namespace photopic {
 namespace {
 
@@ -26,12 +24,6 @@ bool may_transmit(const Material& m) {
          (m.metallic < 1.0f || has_texture(m, &MaterialTextures::metallic_roughness));
 }
 
-BsdfKind opaque_kind_of(const Material& m) {
-  if (m.extensions.is_layered()) return BsdfKind::layered;
-  if (m.extensions.conductor) return BsdfKind::conductor;
-  return m.metallic == 0.0f && m.specular == 0.0f ? BsdfKind::diffuse : BsdfKind::opaque;
-}
-
 /// Of a lamp, as a rule.
 bool is_black(const Material& m) {
   if (opaque_kind_of(m) != BsdfKind::diffuse || may_transmit(m) || m.has_vertex_colors) return false;
@@ -51,14 +43,20 @@ std::shared_ptr<const MaterialExtensions> extensions_of(const Material& m) {
   return m.extensions.any() ? std::make_shared<const MaterialExtensions>(m.extensions) : nullptr;
 }
 
+}  // namespace
+
+BsdfKind opaque_kind_of(const Material& m) {
+  if (m.extensions.is_layered()) return BsdfKind::layered;
+  if (m.extensions.conductor) return BsdfKind::conductor;
+  return m.metallic == 0.0f && m.specular == 0.0f ? BsdfKind::diffuse : BsdfKind::opaque;
+}
+
 std::shared_ptr<const GrainAlbedo> grain_albedo_of(const Material& m) {
   if (m.extensions.anisotropy == 0.0f) return nullptr;
   if (has_texture(m, &MaterialTextures::metallic_roughness) || has_texture(m, &MaterialTextures::anisotropy))
     return GrainAlbedo::of_all();
   return std::make_shared<const GrainAlbedo>(AnisotropicGgx::of(m.roughness, m.extensions.anisotropy));
 }
-
-}  // namespace
 
 Surface::Surface(const Material& m)
     : opaque_kind(opaque_kind_of(m)),
@@ -94,15 +92,12 @@ Surface::Surface(const Material& m)
       attenuation_color(m.attenuation_color),
       attenuation_distance(m.attenuation_distance),
       priority(m.priority),
-      grain_albedo(grain_albedo_of(m)),
       extensions(extensions_of(m)),
       emission_spectrum(m.emission_spectrum),
       emission_luminance(m.emission_luminance),
       emissive_factor(m.emissive_factor),
       emission_is_measured(m.emission_is_measured),
-      unlit(m.unlit) {
-  prepare_rough_glass(*this, {});
-}
+      unlit(m.unlit) {}
 
 Vec3f Surface::base_rgb(const TrianglePoint& point) const {
   Vec3f rgb = base_factor;

@@ -14,8 +14,12 @@ namespace photopic {
 enum class BsdfKind : std::uint8_t { diffuse, opaque, conductor, layered, glass, spectral_glass };
 inline constexpr int kBsdfKinds = 6;
 
+/// Of a material where it does not transmit.
+BsdfKind opaque_kind_of(const Material& m);
+
 /// A material compiled for shading; ShadingMaterial is what it comes to at a hit. What does not vary over the
-/// surface is told by flags, so that it costs nothing.
+/// surface is told by flags, so that it costs nothing. Its tables are left to prepare_albedos: to integrate
+/// them takes a while.
 struct Surface {
   explicit Surface(const Material& material);
 
@@ -48,9 +52,9 @@ struct Surface {
   float ior;
   Spectrum attenuation_color;
   float attenuation_distance;
-  int priority;                                     ///< of the medium
-  std::shared_ptr<const GlassAlbedo> glass_albedo;  ///< null where no rough glass refracts; see rough_glass.h
-  std::shared_ptr<const GrainAlbedo> grain_albedo;  ///< null where the material is not brushed
+  int priority;                                          ///< of the medium
+  std::shared_ptr<const GlassAlbedo> glass_albedo{};     ///< null where no rough glass refracts
+  std::shared_ptr<const GrainAlbedo> grain_albedo{};     ///< null where the material is not brushed
   std::shared_ptr<const MaterialExtensions> extensions;  ///< null where the material has none
 
   int emission_spectrum;
@@ -89,6 +93,9 @@ struct Surface {
     return t;
   }
 };
+
+/// The table of a brushed material; null for others.
+std::shared_ptr<const GrainAlbedo> grain_albedo_of(const Material& m);
 
 /// Y of linear sRGB: IEC 61966-2-1.
 inline float luminance(Vec3f rgb) {

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/accel.h"
+#include "core/box.h"
 #include "core/surface_point.h"
 
 namespace photopic {
@@ -22,26 +23,9 @@ constexpr double kSteep = 0.1;
 
 using Corners = std::array<Vec3f, 3>;
 
-struct Box {
-  Vec3f low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-
-  void add(Vec3f p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  void grow(float d) {
-    low = low - Vec3f{d, d, d};
-    high = high + Vec3f{d, d, d};
-  }
-  bool overlaps(const Box& b) const {
-    return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
-           low.z <= b.high.z && b.low.z <= high.z;
-  }
-};
-
 /// A triangle in the world.
 struct Item {
-  Box box;  ///< grown by the reach
+  Boxf box;  ///< grown by the reach
   std::uint32_t triangle, instance;
   bool solid;
 };
@@ -112,7 +96,7 @@ class Search {
 
  private:
   struct Node {
-    Box box;
+    Boxf box;
     bool solid;  ///< some item is
     std::size_t begin, end;
     std::unique_ptr<Node> left, right;  ///< both or none
@@ -195,7 +179,7 @@ class Search {
 
 /// Triangles of a range of shapes, in the world or of an instance.
 void add_items(std::vector<Item>& items, const Geometry& geometry, std::span<const Surface> surfaces,
-               std::span<const Shape> shapes, std::uint32_t instance, const Box* near, bool solids) {
+               std::span<const Shape> shapes, std::uint32_t instance, const Boxf* near, bool solids) {
   for (const Shape& shape : shapes) {
     if (surfaces[shape.material].encloses != solids) continue;
     for (std::uint32_t t = shape.first_triangle; t < shape.first_triangle + shape.triangle_count; ++t) {
@@ -209,7 +193,7 @@ void add_items(std::vector<Item>& items, const Geometry& geometry, std::span<con
 }
 
 void add_all(std::vector<Item>& items, const Geometry& geometry, std::span<const Surface> surfaces,
-             const Box* near, bool solids) {
+             const Boxf* near, bool solids) {
   const std::span<const Shape> shapes = geometry.shapes;
   add_items(items, geometry, surfaces, shapes.first(geometry.baked_shape_count()), kNoInstance, near, solids);
   for (std::uint32_t i = 0; i < geometry.instances.size(); ++i) {
@@ -224,7 +208,7 @@ std::vector<float> touching_triangles(const Geometry& geometry, std::span<const 
   std::vector<Item> items;
   add_all(items, geometry, surfaces, nullptr, true);
   if (items.empty()) return {};
-  Box near;
+  Boxf near;
   for (const Item& i : items) near.add(i.box.low), near.add(i.box.high);
   add_all(items, geometry, surfaces, &near, false);
   return Search(geometry, std::move(items)).run();

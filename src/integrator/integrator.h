@@ -40,7 +40,8 @@ struct RenderStats {
   std::uint64_t media_slips = 0;      ///< paths that left a solid that they had not entered
   std::uint64_t non_finite = 0;       ///< samples that were not finite; left out of the film and counted here
   NonFiniteCounts non_finite_causes;  ///< why; the oracle does not tell
-  std::optional<double> expected_delta_e{};  ///< mean over the image; where a target_error was set
+  std::optional<double> expected_delta_e{};  ///< mean over the image; where a target_error was set and more
+                                             ///< samples were taken than a stratified run
   bool stopped = false;                      ///< by RenderOptions::stop
   StageSeconds stages{};                     ///< all 0 unless RenderOptions::time_stages
 

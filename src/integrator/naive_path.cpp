@@ -75,6 +75,7 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
 
     meet(media, scene_, hit, ray.direction);
     mend(throughput, scene_, media, lambda);
+    if (throughput.is_black()) break;
 
     // Light from the surface itself.
     const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[hit.shape].material];

@@ -6,15 +6,16 @@ namespace photopic {
 
 /// The stages of paths in scenes that have media.
 
-/// From the last vertex to the hit.
+/// From the last vertex to the hit. @return whether anything is left
 template <int N, Features kHas>
-void PathTracer<N, kHas>::travel(std::uint32_t slot) {
+bool PathTracer<N, kHas>::travel(std::uint32_t slot) {
   Hit& hit = batch_.hits[slot];
   PathMedia& media = batch_.media[slot];
   const SampledSpectrum<N> lambda = batch_.wavelengths[slot].lambda;
   attenuate(batch_.throughput[slot], scene_, media.current(), lambda, hit.t);
   meet(media, scene_, hit, batch_.rays.direction[slot]);
   mend(batch_.throughput[slot], scene_, media, lambda);
+  return !batch_.throughput[slot].is_black();
 }
 
 /// Paths go on through surfaces that are hidden, which do not count as met. Light samples end there, so what
@@ -41,7 +42,7 @@ void PathTracer<N, kHas>::pass_hidden_surfaces() {
 }
 
 #define PHOTOPIC_LOOP(N, features)                              \
-  template void PathTracer<N, features>::travel(std::uint32_t); \
+  template bool PathTracer<N, features>::travel(std::uint32_t); \
   template void PathTracer<N, features>::pass_hidden_surfaces();
 PHOTOPIC_FOR_EACH_LOOP(PHOTOPIC_LOOP)
 #undef PHOTOPIC_LOOP

@@ -142,9 +142,9 @@ void PathTracer<N, kHas>::absorb_and_emit() {
   const Geometry& geometry = scene_.scene.geometry;
   if (kHas.environment && scene_.scene.environment) escape();
   std::erase_if(batch_.active, [&](std::uint32_t slot) { return batch_.hits[slot].shape == kNoHit; });
+  if (has_media()) std::erase_if(batch_.active, [&](std::uint32_t slot) { return !travel(slot); });
   for (const std::uint32_t slot : batch_.active) {
     const Hit& hit = batch_.hits[slot];
-    if (has_media()) travel(slot);
     const std::uint32_t material = geometry.shapes[hit.shape].material;
     const Surface& surface = scene_.surfaces[material];
     if (!surface.emits) continue;

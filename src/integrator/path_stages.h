@@ -39,7 +39,7 @@ class PathTracer {
   void intersect();
   void escape();
   void absorb_and_emit();
-  void travel(std::uint32_t slot);
+  bool travel(std::uint32_t slot);
   void pass_hidden_surfaces();
   void sort_by_bsdf(int depth);
   void trace_shadow_rays();

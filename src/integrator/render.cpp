@@ -68,7 +68,8 @@ class TileRenderer {
       });
       if (second_film_ && last >= next_look) {
         std::erase_if(active, [&](const Tile& tile) {
-          return expected_delta_e(film_, *second_film_, tile) <= options_.target_error;
+          const auto error = expected_delta_e(film_, *second_film_, tile);
+          return error && *error <= options_.target_error;
         });
         next_look = static_cast<int>(kNextLook * last);
       }
@@ -116,9 +117,7 @@ class TileRenderer {
     for (const Tracer& tracer : tracers_) stats += tracer.stats();
     stats.stopped = interrupted();
     if (second_film_) {
-      double sum = 0.0;
-      for (const Tile& tile : tiles) sum += expected_delta_e(film_, *second_film_, tile) * tile.pixel_count();
-      stats.expected_delta_e = sum / (static_cast<double>(camera_.width) * camera_.height);
+      stats.expected_delta_e = expected_delta_e(film_, *second_film_, tiles);
       film_ += *second_film_;
     }
     stats.seconds = seconds_since(start_);

@@ -1,6 +1,7 @@
 #include "integrator/tile.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "spectral/color_difference.h"
 
@@ -29,16 +30,34 @@ std::vector<PathKey> tile_paths(const Tile& tile, int film_width, int first, int
   return paths;
 }
 
-double expected_delta_e(const Film& a, const Film& b, const Tile& tile) {
+std::optional<double> expected_delta_e(const Film& a, const Film& b, const Tile& tile) {
   const Xyz white = d65_white();
   double sum = 0.0;
+  int known = 0;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
       const auto pixel = static_cast<std::size_t>(y * a.width() + x);
-      sum += delta_e_2000(xyz_to_lab(a.mean(pixel), white), xyz_to_lab(b.mean(pixel), white));
+      const auto m = static_cast<double>(a.count(pixel)), n = static_cast<double>(b.count(pixel));
+      if (m == 0.0 || n == 0.0) continue;
+      ++known;
+      sum += std::sqrt(m * n) / (m + n) *
+             delta_e_2000(xyz_to_lab(a.mean(pixel), white), xyz_to_lab(b.mean(pixel), white));
     }
   }
-  return 0.5 * sum / tile.pixel_count();
+  if (known == 0) return std::nullopt;
+  return sum / known;
+}
+
+std::optional<double> expected_delta_e(const Film& a, const Film& b, const std::vector<Tile>& tiles) {
+  double sum = 0.0;
+  int pixels = 0;
+  for (const Tile& tile : tiles) {
+    const auto error = expected_delta_e(a, b, tile);
+    if (!error) return std::nullopt;
+    sum += *error * tile.pixel_count();
+    pixels += tile.pixel_count();
+  }
+  return sum / pixels;
 }
 
 }  // namespace photopic

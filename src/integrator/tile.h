@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/camera.h"
@@ -21,9 +22,13 @@ std::vector<Tile> film_tiles(const Camera& camera);
 /// nearly the same thing.
 std::vector<PathKey> tile_paths(const Tile& tile, int film_width, int first, int last);
 
-/// The mean ΔE (CIEDE2000, D65 at Y = 1) to be expected between the mean of two films and the truth, over a
-/// tile. The films hold independent estimates from equally many samples: each is √2 times as far from the
-/// truth as their mean is, so they are twice that apart.
-double expected_delta_e(const Film& a, const Film& b, const Tile& tile);
+/// The mean ΔE (CIEDE2000, D65 at Y = 1) to be expected between all samples of two films and the truth, over
+/// a tile's pixels that have samples in both. The films' estimates are independent: of m and n samples they
+/// are √(1/m + 1/n) apart, in units in which all are √(1/(m + n)) from the truth.
+/// @return nothing where no pixel has samples in both
+std::optional<double> expected_delta_e(const Film& a, const Film& b, const Tile& tile);
+
+/// The same over tiles; nothing where one of them has nothing.
+std::optional<double> expected_delta_e(const Film& a, const Film& b, const std::vector<Tile>& tiles);
 
 }  // namespace photopic

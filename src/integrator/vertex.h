@@ -74,25 +74,20 @@ struct Vertex {
     return any;
   }
 
-  BsdfValue<N> evaluate(Vec3f wi) const {
-    const Vec3f local = frame.to_local(wi);
-    if (!sides_agree(wi, local.z)) return {};
-    return bsdf.evaluate(local);
-  }
-
   std::optional<BsdfSample<N>> sample(float u_lobe, Sample2d u) const {
     auto s = bsdf.sample(u_lobe, u);
     if (!s) return {};
     const float cos_theta = s->wi.z;
     s->wi = frame.to_world(s->wi);
-    if (!sides_agree(s->wi, cos_theta)) return {};
+    if (sides_differ(s->wi, cos_theta)) return {};
     return s;
   }
 
-  /// Whether wi is above the triangle if it is above the shading normal's plane. Light from elsewhere would
-  /// leak through the surface: Veach 1997, section 5.3.
-  bool sides_agree(Vec3f wi, float cos_theta) const {
-    return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) > 0.0f;
+  /// Whether wi is above the triangle but below the shading normal's plane, or the other way about. Light
+  /// from there would leak through the surface: Veach 1997, section 5.3. What is not a number stays to be
+  /// seen.
+  bool sides_differ(Vec3f wi, float cos_theta) const {
+    return dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) <= 0.0f;
   }
 
   /// Whether w points to the back.

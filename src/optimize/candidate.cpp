@@ -7,10 +7,6 @@
 namespace photopic {
 namespace {
 
-double uniform(Random& random) {
-  return static_cast<double>(random() >> 11) * 0x1p-53;
-}
-
 /// log of a density that is flat between two boundaries and falls off outside.
 double soft_box(double t, double left, double right) {
   constexpr double kFall = 30.0, kLowest = -10.0;

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <random>
 #include <vector>
+
+#include "optimize/random.h"
 
 namespace photopic {
 
@@ -14,8 +15,6 @@ struct Candidate {
   int wavelengths() const { return static_cast<int>(backwards.size()); }
   int nodes() const { return static_cast<int>(v.size() / backwards.size()); }
 };
-
-using Random = std::mt19937_64;
 
 /// N equal strata of t with edges one cell wide: the illuminant sampler, as nearly as nodes can say it. It
 /// has `least_nodes` or some more.

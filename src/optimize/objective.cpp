@@ -34,15 +34,15 @@ Position position_in(const TargetTable& table, double t) {
 
 }  // namespace
 
-Xyz white_of(const Targets& targets) {
-  if (targets.white == White::d65) return d65_white();
-  const Xyz lamp = emission_xyz(make_emitter(targets.mixed).emission, Observer::cie1931());
+Xyz white_of(White white, const TabulatedSpectrum& light) {
+  if (white == White::d65) return d65_white();
+  const Xyz lamp = emission_xyz(make_emitter(light).emission, Observer::cie1931());
   return lamp * (1.0 / lamp.y);
 }
 
 EstimateLoss::EstimateLoss(const Targets& targets, const PiecewiseLinearDensity& base)
     : objective_(targets.objective) {
-  white_ = white_of(targets);
+  white_ = white_of(targets.white, targets.mixed);
   if (objective_ == Objective::mean_delta_e) {
     table_ = xyz_table(base, make_emitter(targets.mixed));
     const Xyz color{table_.integral[0], table_.integral[1], table_.integral[2]};

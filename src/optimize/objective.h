@@ -12,9 +12,10 @@ namespace photopic {
 
 /// What a set of densities is judged by.
 enum class Objective {
-  asymptotic,  ///< weighted mean over targets of sqrt(mean_u |U (E(u) − c)|²) [ΔE]: what √n times the error
-               ///< tends to
-  mean_delta_e  ///< ∫ ΔE00(E(u), c) du for R = 1 [ΔE], its kink at 0 rounded off by smooth_delta_e
+  /// Weighted mean over targets of sqrt(mean_u |U (E(u) − c)|²) [ΔE]: what √n times the error tends to.
+  asymptotic,
+  /// ∫ ΔE00(E(u), c) du for R = 1 [ΔE], its kink at 0 rounded off by smooth_delta_e.
+  mean_delta_e
 };
 
 /// The white of CIELAB, on the scale where R = 1 has Y = 1.
@@ -29,8 +30,9 @@ struct Targets {
   std::vector<Spectrum> reflectances;       ///< seen under each of them
 };
 
-/// The white of CIELAB at Y = 1.
-Xyz white_of(const Targets& targets);
+/// The white of CIELAB at Y = 1. @param light the lamps together
+/// @throws std::invalid_argument when it is to be that of a light without luminance
+Xyz white_of(White white, const TabulatedSpectrum& light);
 
 /// An objective as a function of the estimates E(u) alone. Immutable; shared by all threads.
 class EstimateLoss {

@@ -1,5 +1,8 @@
 #include "optimize/path_estimate.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "spectral/observer.h"
 
 namespace photopic {
@@ -16,6 +19,23 @@ void PathEstimate::draw(double u) {
   for (std::size_t j = 0; j < lambda_.size(); ++j) {
     const double power = emitter_.scale * emitter_.emission(lambda_[j]);
     weight_[j] = power > 0.0 ? Observer::cie1931()(lambda_[j]) * (power / density_sum_[j]) : Xyz{};
+  }
+}
+
+void PathEstimate::integrate_over_u(const std::function<void(double share)>& visit) {
+  constexpr int kAtLeast = 1024;
+  std::vector<double> ends = breakpoints(sampler_, emitter_.emission.lambda());
+  for (int i = 0; i <= kAtLeast; ++i) ends.push_back(static_cast<double>(i) / kAtLeast);
+  std::sort(ends.begin(), ends.end());
+
+  const double offset = 0.5 / std::sqrt(3.0);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const double width = ends[i + 1] - ends[i];
+    if (width == 0.0) continue;
+    for (const double side : {-offset, offset}) {
+      draw(ends[i] + width * (0.5 + side));
+      visit(0.5 * width);
+    }
   }
 }
 

@@ -2,8 +2,8 @@
 
 #include <array>
 #include <cmath>
-#include <random>
 
+#include "optimize/random.h"
 #include "spectral/content_hash.h"
 
 namespace photopic {
@@ -11,8 +11,8 @@ namespace photopic {
 std::vector<Spectrum> target_reflectances(int count, std::uint64_t seed) {
   constexpr double kRoot = 1.2207440846057594753617;  // the real root of x⁴ = x + 1, which makes R_3 even
   std::array<double, 3> point, step{1.0 / kRoot, 1.0 / (kRoot * kRoot), 1.0 / (kRoot * kRoot * kRoot)};
-  std::mt19937_64 random(seed);
-  for (double& p : point) p = static_cast<double>(random() >> 11) * 0x1p-53;
+  Random random(seed);
+  for (double& p : point) p = uniform(random);
 
   std::vector<Spectrum> reflectances{ConstantSpectrum{1.0}};
   for (int i = 1; i < count; ++i) {
@@ -25,8 +25,8 @@ std::vector<Spectrum> target_reflectances(int count, std::uint64_t seed) {
 
 std::vector<Spectrum> test_reflectances(int count) {
   constexpr std::uint64_t kSeed = 0x7e57;
-  std::mt19937_64 random(kSeed);
-  const auto component = [&] { return srgb_decode(static_cast<double>(random() >> 11) * 0x1p-53); };
+  Random random(kSeed);
+  const auto component = [&] { return srgb_decode(uniform(random)); };
   std::vector<Spectrum> reflectances;
   for (int i = 0; i < count; ++i) {
     const double r = component(), g = component(), b = component();

@@ -1,25 +1,17 @@
 #include "optimize/sampler_report.h"
 
-#include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "optimize/path_estimate.h"
+#include "optimize/random.h"
 #include "optimize/reflectance_set.h"
 #include "spectral/color_difference.h"
-#include "spectral/observer.h"
 
 namespace photopic {
 namespace {
 
 constexpr int kMeans = 512, kPaths = 64, kReflectances = 24;
 constexpr std::uint64_t kSeed = 64;
-
-Xyz white_of(White white, const TabulatedSpectrum& light) {
-  if (white == White::d65) return d65_white();
-  const Xyz lamp = emission_xyz(light, Observer::cie1931());
-  return lamp * (1.0 / lamp.y);
-}
 
 /// A colour to be met, and the mean of some paths that tries to.
 struct Target {
@@ -39,36 +31,23 @@ std::vector<Target> make_targets(const PathEstimate& path, Xyz white) {
   return targets;
 }
 
-/// Single paths: a two-point Gauss–Legendre rule in every piece of u where the estimate is smooth.
-void measure_one_path(const WavelengthSampler& sampler, const TabulatedSpectrum& light, PathEstimate& path,
-                      const Lab& reference, Xyz white, SamplerReport& report) {
-  constexpr int kAtLeast = 1024;
-  std::vector<double> ends = breakpoints(sampler, light.lambda());
-  for (int i = 0; i <= kAtLeast; ++i) ends.push_back(static_cast<double>(i) / kAtLeast);
-  std::sort(ends.begin(), ends.end());
-
-  const double offset = 0.5 / std::sqrt(3.0);
+void measure_one_path(PathEstimate& path, const Lab& reference, Xyz white, SamplerReport& report) {
   double variance = 0.0;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double width = ends[i + 1] - ends[i];
-    if (width == 0.0) continue;
-    for (const double side : {-offset, offset}) {
-      path.draw(ends[i] + width * (0.5 + side));
-      const Xyz estimate = path.white();
-      report.one_path_delta_e += 0.5 * width * delta_e_2000(reference, xyz_to_lab(estimate, white));
-      variance += 0.5 * width * (estimate.y - 1.0) * (estimate.y - 1.0);
-    }
-  }
+  path.integrate_over_u([&](double share) {
+    const Xyz estimate = path.white();
+    report.one_path_delta_e += share * delta_e_2000(reference, xyz_to_lab(estimate, white));
+    variance += share * (estimate.y - 1.0) * (estimate.y - 1.0);
+  });
   report.luminance_deviation = std::sqrt(variance);
 }
 
 /// Means of independent paths, as in a pixel.
 void measure_many_paths(PathEstimate& path, std::span<Target> targets, Xyz white) {
-  std::mt19937_64 random(kSeed);
+  Random random(kSeed);
   for (int i = 0; i < kMeans; ++i) {
     for (Target& target : targets) target.mean = {};
     for (int n = 0; n < kPaths; ++n) {
-      path.draw(static_cast<double>(random() >> 11) * 0x1p-53);
+      path.draw(uniform(random));
       for (Target& target : targets) target.mean += path.seen(target.reflectance) * (1.0 / kPaths);
     }
     for (Target& target : targets)
@@ -84,7 +63,7 @@ SamplerReport sampler_report(const WavelengthSampler& sampler, const TabulatedSp
   std::vector<Target> targets = make_targets(path, lab_white);
 
   SamplerReport report;
-  measure_one_path(sampler, light, path, targets[0].reference, lab_white, report);
+  measure_one_path(path, targets[0].reference, lab_white, report);
   measure_many_paths(path, targets, lab_white);
   report.white_delta_e = targets[0].sum_of_delta_e / kMeans;
   for (std::size_t i = 1; i < targets.size(); ++i)

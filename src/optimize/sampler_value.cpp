@@ -6,48 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "optimize/path_estimate.h"
 #include "spectral/color_difference.h"
 #include "spectral/lamp_set.h"
-#include "spectral/observer.h"
 
 namespace photopic {
 namespace {
-
-/// The wavelengths of one path and what a white target's X, Y, Z gain at each.
-struct Path {
-  std::vector<double> lambda, density_sum;
-  std::vector<Xyz> weight;
-};
-
-void trace(const WavelengthSampler& sampler, const Emitter& emitter, double u, Path& path) {
-  draw_wavelengths(sampler, u, path.lambda, path.density_sum);
-  const Observer& observer = Observer::cie1931();
-  for (std::size_t j = 0; j < path.lambda.size(); ++j) {
-    const double power = emitter.scale * emitter.emission(path.lambda[j]);
-    path.weight[j] = power > 0.0 ? observer(path.lambda[j]) * (power / path.density_sum[j]) : Xyz{};
-  }
-}
-
-/// Calls visit(path, share) at the points of a two-point Gauss–Legendre rule in every smooth piece of u.
-template <typename Visit>
-void integrate(const WavelengthSampler& sampler, const Emitter& emitter, Visit visit) {
-  constexpr int kAtLeast = 1024;
-  std::vector<double> ends = breakpoints(sampler, emitter.emission.lambda());
-  for (int i = 0; i <= kAtLeast; ++i) ends.push_back(static_cast<double>(i) / kAtLeast);
-  std::sort(ends.begin(), ends.end());
-
-  const auto count = static_cast<std::size_t>(wavelength_count(sampler));
-  Path path{std::vector<double>(count), std::vector<double>(count), std::vector<Xyz>(count)};
-  const double offset = 0.5 / std::sqrt(3.0);
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    const double width = ends[i + 1] - ends[i];
-    if (width == 0.0) continue;
-    for (const double side : {-offset, offset}) {
-      trace(sampler, emitter, ends[i] + width * (0.5 + side), path);
-      visit(path, 0.5 * width);
-    }
-  }
-}
 
 /// The estimates of all targets side by side: X, Y, Z one after the other.
 struct Estimates {
@@ -64,9 +28,9 @@ class ReflectanceRows {
   }
 
   /// What the targets return of a path.
-  void see(const Path& path, Estimates& estimates) const {
+  void see(const PathEstimate& path, Estimates& estimates) const {
     for (auto& channel : estimates.of) std::fill(channel.begin(), channel.end(), 0.0);
-    for (std::size_t j = 0; j < path.lambda.size(); ++j) add(path.lambda[j], path.weight[j], estimates);
+    for (std::size_t j = 0; j < path.lambda().size(); ++j) add(path.lambda()[j], path.weight()[j], estimates);
   }
 
  private:
@@ -120,43 +84,41 @@ class Moments {
   std::array<std::vector<double>, 6> square_;  ///< XX, XY, XZ, YY, YZ, ZZ
 };
 
-double asymptotic(const WavelengthSampler& sampler, const Targets& targets, const Emitter& emitter) {
+double asymptotic(const WavelengthSampler& sampler, const Targets& targets,
+                  const TabulatedSpectrum& emission) {
   const std::size_t count = targets.reflectances.size();
   const ReflectanceRows reflectances(targets.reflectances);
+  PathEstimate path(sampler, emission);
   Moments moments(count);
   Estimates estimates(count);
-  integrate(sampler, emitter, [&](const Path& path, double share) {
+  path.integrate_over_u([&](double share) {
     reflectances.see(path, estimates);
     moments.add(estimates, share);
   });
-  const Xyz white = white_of(targets);
+  const Xyz white = white_of(targets.white, targets.mixed);
   double sum = 0.0;
   for (std::size_t m = 0; m < count; ++m) sum += moments.deviation(m, white);
   return sum / static_cast<double>(count);
 }
 
-double mean_delta_e(const WavelengthSampler& sampler, const Targets& targets, const Emitter& emitter) {
-  const Xyz lamp = emission_xyz(emitter.emission, Observer::cie1931());
-  const Xyz white = white_of(targets);
-  const Lab reference = xyz_to_lab(lamp * (1.0 / lamp.y), white);
+double mean_delta_e(const WavelengthSampler& sampler, const Targets& targets) {
+  const Xyz white = white_of(targets.white, targets.mixed);
+  const Lab reference = xyz_to_lab(white_of(White::illuminant, targets.mixed), white);
+  PathEstimate path(sampler, targets.mixed);
   double mean = 0.0;
-  integrate(sampler, emitter, [&](const Path& path, double share) {
-    Xyz sum;
-    for (const Xyz& weight : path.weight) sum += weight;
-    mean += share * delta_e_2000(reference, xyz_to_lab(sum, white));
-  });
+  path.integrate_over_u(
+      [&](double share) { mean += share * delta_e_2000(reference, xyz_to_lab(path.white(), white)); });
   return mean;
 }
 
 }  // namespace
 
 double sampler_value(const WavelengthSampler& sampler, const Targets& targets) {
-  if (targets.objective == Objective::mean_delta_e)
-    return mean_delta_e(sampler, targets, make_emitter(targets.mixed));
+  if (targets.objective == Objective::mean_delta_e) return mean_delta_e(sampler, targets);
   const std::vector<double> shares = luminance_shares(targets.emitters);
   double value = 0.0;
   for (std::size_t i = 0; i < shares.size(); ++i)
-    value += shares[i] * asymptotic(sampler, targets, make_emitter(targets.emitters[i]));
+    value += shares[i] * asymptotic(sampler, targets, targets.emitters[i]);
   return value;
 }
 

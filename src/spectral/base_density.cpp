@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "spectral/compensated_sum.h"
+#include "spectral/knots.h"
 #include "spectral/observer.h"
 #include "spectral/wavelength_distribution.h"
 
@@ -35,13 +36,9 @@ void mix_in(double share, Function function, const std::vector<double>& x, std::
 
 /// The knots at which both the emission and the observer are linear in between, cut to the rendered range.
 std::vector<double> union_of_knots(const TabulatedSpectrum& emission) {
-  std::vector<double> knots;
+  std::vector<double> knots(emission.lambda().begin(), emission.lambda().end());
   for (int i = 0; i < Observer::kTableSize; ++i) knots.push_back(kLambdaMin + i);
-  for (const double x : emission.lambda())
-    if (x > kLambdaMin && x < kLambdaMax) knots.push_back(x);
-  std::sort(knots.begin(), knots.end());
-  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
-  return knots;
+  return knots_in_range(std::move(knots));
 }
 
 }  // namespace

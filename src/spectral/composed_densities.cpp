@@ -43,12 +43,12 @@ void ComposedDensities::add_pieces(const PiecewiseLinearDensity& base, std::size
     const auto way = way_to(start - first, f, slope);
     pieces.push_back({.u = q.cdf(start),
                       .lambda = x + way.s,
-                      .q = (q.value()[node] + q_slope * beyond),
-                      .q_slope = (q_slope),
-                      .b = (way.density),
-                      .b_slope = (slope),
-                      .sum = (q_sum[node] + sum_slope * beyond),
-                      .sum_slope = (sum_slope)});
+                      .q = q.value()[node] + q_slope * beyond,
+                      .q_slope = q_slope,
+                      .b = way.density,
+                      .b_slope = slope,
+                      .sum = q_sum[node] + sum_slope * beyond,
+                      .sum_slope = sum_slope});
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "spectral/knots.h"
 #include "spectral/spectrum.h"
 
 namespace photopic {
@@ -37,16 +38,6 @@ class TableBuilder {
 
   std::vector<double> lambda_, value_;
 };
-
-/// Sorted knots without doubles, inside the open range, and the range's ends.
-std::vector<double> knots_in_range(std::vector<double> knots) {
-  std::erase_if(knots, [](double x) { return !(x > kLambdaMin && x < kLambdaMax); });
-  knots.push_back(kLambdaMin);
-  knots.push_back(kLambdaMax);
-  std::sort(knots.begin(), knots.end());
-  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
-  return knots;
-}
 
 void add_every_nm(std::vector<double>& knots) {
   for (double x = kLambdaMin; x <= kLambdaMax; x += 1.0) knots.push_back(x);

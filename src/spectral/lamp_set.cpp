@@ -71,12 +71,12 @@ std::vector<double> luminance_shares(std::span<const TabulatedSpectrum> lamps) {
 std::string digest(std::span<const TabulatedSpectrum> lamps) {
   if (lamps.size() == 1) return digest(lamps[0]);
   const std::vector<double> shares = luminance_shares(lamps);
-  const double strongest = *std::max_element(shares.begin(), shares.end());
+  const auto strongest = std::max_element(shares.begin(), shares.end());
 
   ContentHash hash;
   for (std::size_t i = 0; i < lamps.size(); ++i) {
     for (const char digit : digest(lamps[i])) hash.add_byte(static_cast<unsigned char>(digit));
-    hash.add(static_cast<std::uint64_t>(steps_below(shares[i], strongest)));
+    hash.add(static_cast<std::uint64_t>(steps_below(shares[i], *strongest)));
   }
   return hash.text();
 }

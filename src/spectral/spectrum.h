@@ -86,7 +86,7 @@ TabulatedSpectrum mix_emissions(std::span<const TabulatedSpectrum> emissions,
 TabulatedSpectrum tabulate_product(const Spectrum& a, const Spectrum& b);
 
 /// 16 hex digits that identify a table's knots and values up to scale; the same on every machine: FNV-1a (64
-/// bit) over the knots to 1e-6 nm and the values to 1e-9 of the largest.
+/// bit) over the knots to 1e-6 nm and the values to 1e-7 of the largest.
 std::string digest(const TabulatedSpectrum& spectrum);
 
 }  // namespace photopic

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "error.h"
+#include "file_ending.h"
 #include "spectral/illuminants.h"
 #include "spectral/spectrum_readers.h"
 
@@ -79,12 +80,6 @@ std::string read_text(const std::filesystem::path& file) {
   return text;
 }
 
-std::string lower_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 void check_reflectance(const std::string& name, const std::vector<SpectrumRow>& rows) {
   for (const SpectrumRow& row : rows)
     if (row.value > 1.0)
@@ -110,7 +105,7 @@ Spectrum parse_spectrum(std::string_view text, const std::filesystem::path& fold
 }
 
 TabulatedSpectrum read_spectrum_file(const std::filesystem::path& file, Beyond beyond) {
-  const std::string text = read_text(file), name = file.string(), extension = lower_extension(file);
+  const std::string text = read_text(file), name = file.string(), extension = lower_case_ending(file);
   const auto read = extension == ".sp"     ? read_cgats
                     : extension == ".json" ? read_spectrum_json
                     : extension == ".spdx" ? read_spdx
@@ -120,7 +115,7 @@ TabulatedSpectrum read_spectrum_file(const std::filesystem::path& file, Beyond b
 
 std::vector<TabulatedSpectrum> read_reflectance_file(const std::filesystem::path& file) {
   constexpr std::size_t kMost = 1000;
-  const std::string text = read_text(file), name = file.string(), extension = lower_extension(file);
+  const std::string text = read_text(file), name = file.string(), extension = lower_case_ending(file);
   if (extension == ".json" || extension == ".spdx")
     throw InputError(name, "reflectances are not read from this format",
                      "give columns of text (nm, then one reflectance a column) or a CGATS .sp");

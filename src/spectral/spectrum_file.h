@@ -14,9 +14,8 @@ namespace photopic {
 Spectrum parse_spectrum(std::string_view text, const std::filesystem::path& folder, Beyond beyond);
 
 /// Reads a spectrum file by its ending: two columns of text (.spd .txt .csv, or none of the others; nm,
-/// value; comments after
-/// `#`; comma, semicolon, tab or blanks; an optional header line), LSPDD's CSV (metadata lines, then a
-/// `wavelength,…` header), LSPDD's JSON (`spectraldata`), CGATS .sp, IES TM-27 .spdx.
+/// value; comments after `#`; comma, semicolon, tab or blanks; an optional header line), LSPDD's CSV
+/// (metadata lines, then a `wavelength,…` header), LSPDD's JSON (`spectraldata`), CGATS .sp, IES TM-27 .spdx.
 /// @throws InputError with the line of the first bad row
 TabulatedSpectrum read_spectrum_file(const std::filesystem::path& file, Beyond beyond);
 

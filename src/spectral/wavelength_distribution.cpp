@@ -104,13 +104,16 @@ class Place {
   const Json* json_;
 };
 
+/// What it leaves out no density draws.
 PiecewiseLinearDensity read_base(const Place& place) {
   place.only_keys({"nm", "density"});
-  std::vector<double> x = place.at("nm").numbers();
-  if (!x.empty() && (x.front() < kLambdaMin || x.back() > kLambdaMax))
-    place.at("nm").refuse("a knot lies outside 360 to 830 nm");
+  std::vector<double> x = place.at("nm").numbers(), value = place.at("density").numbers();
+  if (x.empty() || x.front() != kLambdaMin || x.back() != kLambdaMax)
+    place.at("nm").refuse("the knots do not reach from 360 to 830 nm");
+  for (std::size_t i = 0; i < value.size(); ++i)
+    if (!(value[i] > 0.0)) place.at("density").at(i).refuse("a density must be positive");
   try {
-    return {std::move(x), place.at("density").numbers()};
+    return {std::move(x), std::move(value)};
   } catch (const std::invalid_argument& problem) {
     place.refuse(problem.what());
   }

@@ -10,7 +10,7 @@
 
 namespace photopic {
 
-/// The base density b(λ) [1/nm] of method: piecewise linear through the values of I·c on the union of I's
+/// The base density b(λ) [1/nm]: piecewise linear through the values of I·c on the union of the emission I's
 /// knots and the observer's, c = 0.6 x̄ + ȳ + 0.35 z̄, with a uniform share of `defensive` mixed in, and then a
 /// share of `visible` of VisibleWavelengths' sech² density. (The more of that, the smoother the estimate's
 /// weights, which many wavelengths can use; the less, the more closely a lamp's lines are followed.)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "spectral/knots.h"
+
 namespace photopic {
 namespace {
 
@@ -24,13 +26,10 @@ std::array<TabulatedSpectrum, 3> columns_of(const Observer& observer) {
 
 /// Where the cells begin, and the end of the last.
 std::vector<double> union_of_knots(std::span<const TabulatedSpectrum* const> columns) {
-  std::vector<double> knots{kLambdaMin, kLambdaMax};
+  std::vector<double> knots;
   for (const TabulatedSpectrum* column : columns)
-    for (const double x : column->lambda())
-      if (x > kLambdaMin && x < kLambdaMax) knots.push_back(x);
-  std::sort(knots.begin(), knots.end());
-  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
-  return knots;
+    knots.insert(knots.end(), column->lambda().begin(), column->lambda().end());
+  return knots_in_range(std::move(knots));
 }
 
 /// A power of two: knots at whole nanometres fall between two steps, where nothing need be compared.

@@ -58,7 +58,9 @@ SampledSpectrum<N> path_wavelengths() {
 
 template <template <int> typename Bsdf, int N>
 struct Fixture {
-  explicit Fixture(const Material& material) : surface(material) {}
+  explicit Fixture(const Material& material) : surface(material) {
+    prepare_albedos({&material, 1}, {true}, {&surface, 1});
+  }
 
   Bsdf<N> make(Vec3f wo) const {
     return make_bsdf<Bsdf<N>>(ShadingMaterial<N>(surface, lambda), wo, SampledSpectrum<N>(1.0f), [] {

@@ -60,6 +60,38 @@ class Info(CommandTest):
         self.assert_refused(["info", self.scene, "--camera", "eye"], "eye")
         self.assert_refused(["info", self.scene, "--emitter", "torch=cie:A"], "torch")
 
+    def test_the_camera_that_renders_whatever_it_is_called(self):
+        scene = tiny_scene()
+        plan = {"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 2, "znear": 0.1, "zfar": 10}}
+        scene["cameras"].append(plan)
+        scene["nodes"] += [{"camera": 1, "translation": [0, 1, 3]}, {"camera": 1, "name": "B", "translation": [0, 1, 2]}]
+        scene["scenes"] = [{"nodes": [0, 1, 2, 3]}]
+        self.scene.write_text(json.dumps(scene))
+
+        def cameras(*options):
+            return [(c["name"], c["type"], c.get("position_m")) for c in self.info(self.scene, *options)[1]["cameras"]]
+
+        unnamed, named = ("", "perspective"), ("B", "orthographic")
+        self.assertEqual(cameras(), [(*unnamed, [0, 1, 4]), (*named, None)])
+        self.assertEqual(cameras("--camera", "1"), [(*unnamed, None), ("", "orthographic", [0, 1, 3])])
+        self.assertEqual(cameras("--camera", "B"), [(*unnamed, None), (*named, [0, 1, 2])])
+        for camera in scene["cameras"]:
+            camera["name"] = "twin"
+        self.scene.write_text(json.dumps(scene))
+        self.assertEqual([c[2] for c in cameras("--camera", "1")], [None, [0, 1, 3]])
+
+    def test_lights_that_shine_whatever_they_are_called(self):
+        scene = tiny_scene()
+        lights = [{"type": "point", "name": "bulb", "intensity": 0}, {"type": "directional", "name": "bulb"}]
+        scene["extensions"] = {"KHR_lights_punctual": {"lights": lights}}
+        scene["extensionsUsed"].append("KHR_lights_punctual")
+        scene["nodes"] += [{"extensions": {"KHR_lights_punctual": {"light": i}}} for i in range(2)]
+        scene["scenes"] = [{"nodes": [0, 1, 2, 3]}]
+        self.scene.write_text(json.dumps(scene))
+        _, json_ = self.info(self.scene)
+        self.assertEqual([(lamp["type"], lamp.get("used", True)) for lamp in json_["lamps"]],
+                         [("surface", True), ("directional", True), ("point", False)])  # fmt: skip
+
     def test_what_a_render_leaves_out_is_told(self):
         text, json_ = self.info(FIXTURE)
         self.assertEqual(json_["file"]["animations"], 1)
@@ -67,7 +99,7 @@ class Info(CommandTest):
         self.assertIn("animations are not played: 1", text)
         self.assertEqual([(c["name"], c["type"], c["used"]) for c in json_["cameras"]],
                          [("eye", "perspective", True), ("plan", "orthographic", False)])  # fmt: skip
-        self.assertLess(max(map(len, text.splitlines())), 500)
+        self.assertLess(max(map(len, text.splitlines())), 700)
 
     def test_textures(self):
         text, json_ = self.info(FIXTURE)
@@ -78,8 +110,33 @@ class Info(CommandTest):
         self.assertEqual(image["encoding"], "sRGB and linear")
         self.assertIn("base color", image["read_for"])
         (coated,) = (m for m in json_["materials"] if m["name"] == "coated")
-        self.assertEqual(coated["textures"], ["base color", "metallic-roughness", "normal", "emissive", "specular", "specular color"])
+        expected = [
+            "base color", "metallic-roughness", "normal", "emissive", "specular", "specular color", "clearcoat",
+            "clearcoat roughness", "clearcoat normal", "sheen color", "sheen roughness", "anisotropy", "iridescence",
+            "iridescence thickness",
+        ]  # fmt: skip
+        self.assertEqual(coated["textures"], expected)
+        (glass,) = (m for m in json_["materials"] if m["name"] == "glass")
+        self.assertEqual(glass["textures"], ["transmission", "diffuse transmission", "diffuse transmission color"])
+        self.assertEqual(set(image["read_for"]), {*coated["textures"], *glass["textures"]} - {"metallic-roughness"})
         self.assertIn("2x2", text)
+
+    def test_parameters(self):
+        text, json_ = self.info(FIXTURE)
+        coated, glass = ({m["name"]: m["parameters"] for m in json_["materials"]}[name] for name in ("coated", "glass"))
+        wanted = {
+            "clearcoat": 0.5, "clearcoat_roughness": 0.25, "sheen_roughness": 0.5, "anisotropy": 0.5,
+            "anisotropy_rotation": 1, "iridescence": 1, "iridescence_ior": 1.25, "iridescence_thickness_nm": 400,
+            "thinnest_film_nm": 100, "specular": 0.5,
+        }  # fmt: skip
+        self.assertEqual({name: coated[name] for name in wanted}, wanted)
+        colors = [(coated, "sheen_color", [0.5, 0.25, 0.125]), (coated, "specular_color", [1, 0.5, 0.5]),
+                  (glass, "attenuation_color", [0.5, 0.75, 1]), (glass, "diffuse_transmission_color", [1, 0.5, 0.5])]  # fmt: skip
+        for parameters, name, color in colors:
+            for channel, expected in zip(parameters[name], color, strict=True):
+                self.assertAlmostEqual(channel, expected, delta=0.02, msg=name)
+        self.assertIn("iridescence thickness nm 400", text)
+        self.assertRegex(text, r"sheen color 0\.[45]\d\d 0\.2\d\d 0\.1\d\d")
 
     def test_lamps(self):
         _, json_ = self.info(FIXTURE)

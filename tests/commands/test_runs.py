@@ -74,6 +74,9 @@ class Render(CommandTest):
         )
         run = self.read_json("b.json")
         self.assertLessEqual(run["expected_mean_delta_e"], 3)
+        few = ("--sampler", "uniform", "--target-error", "3", "--spp", "8", "--json", "few.json")
+        self.assertNotIn("expected", self.photopic("render", self.scene, "-o", "few.exr", *few).stdout)
+        self.assertIsNone(self.read_json("few.json")["expected_mean_delta_e"])
         self.photopic("render", self.scene, "-o", "c.exr", "--sampler", "illuminant", "--spp", "4096", "--seed", "9")
         self.assertLess(self.mean_difference("c.exr", "b.exr"), 3.3)
 

@@ -18,6 +18,10 @@ TEST(Fresnel, DielectricAtNormalIncidenceBrewsterAndBeyondTheCriticalAngle) {
                 1e-6);
     EXPECT_NEAR(fresnel_dielectric(1e-6f, eta), 1.0, 1e-4);
   }
+  // Both sides of an interface reflect alike.
+  const float cos_i = 0.6f, cos_t = std::sqrt(1.0f - (1.0f - sqr(cos_i)) / sqr(1.5f));
+  EXPECT_NEAR(fresnel_dielectric(cos_i, 1.5f), fresnel_dielectric(cos_t, 1 / 1.5f), 1e-6f);
+  EXPECT_NEAR(fresnel_dielectric(0.3f, 1.0f), 0.0f, 1e-12f);
   const float critical = std::sqrt(1.0f - 1.0f / sqr(1.5f));
   EXPECT_EQ(fresnel_dielectric(critical * 0.999f, 1 / 1.5f), 1.0f);
   EXPECT_LT(fresnel_dielectric(critical * 1.001f, 1 / 1.5f), 1.0f);
@@ -52,14 +56,49 @@ TEST(Fresnel, ConductorWithoutAbsorptionIsADielectric) {
 /// No film: thickness zero, or an index equal to the base's or to the outside's.
 TEST(ThinFilm, ThatIsNoFilmChangesNothing) {
   for (const Complex base : {Complex{1.5f}, Complex{0.2f, 3.0f}, Complex{2.7f, 3.0f}})
-    for (float cos_i : {0.02f, 0.3f, 0.7f, 1.0f}) {
-      const float bare = fresnel_conductor(cos_i, base.re, base.im);
+    for (float cos_i : {0.0f, 1e-4f, 1.5e-4f, 0.02f, 0.3f, 0.7f, 1.0f}) {
+      const float bare = fresnel_conductor(std::max(cos_i, 1e-6f), base.re, base.im);
       EXPECT_NEAR((ThinFilm{1.0f, 1.8f, base, 0.0f}.reflectance(cos_i)), bare, 3e-6);
       EXPECT_NEAR((ThinFilm{1.0f, 1.0f, base, 5.0f}.reflectance(cos_i)), bare, 3e-6);
       if (base.im == 0.0f) {
         EXPECT_NEAR((ThinFilm{1.0f, base.re, base, 5.0f}.reflectance(cos_i)), bare, 3e-6);
       }
     }
+}
+
+/// The interfaces' amplitudes, summed up by Abelès' matrix of the film (Born & Wolf 1999, section 1.6.2), in
+/// double precision.
+double film_by_matrix(const ThinFilm& f, double cos_i) {
+  using Number = std::complex<double>;
+  const auto q_of = [&](Number n) {
+    return std::sqrt(n * n - static_cast<double>(sqr(f.outside)) * (1.0 - cos_i * cos_i));
+  };
+  const Number n0 = f.outside, n1 = f.film, n2{f.base.re, f.base.im};
+  const Number beta = q_of(n1) * static_cast<double>(f.phase), i{0.0, 1.0};
+  double sum = 0.0;
+  for (const bool parallel : {false, true}) {
+    const auto admittance = [&](Number n) { return parallel ? n * n / q_of(n) : q_of(n); };
+    const Number a0 = admittance(n0), a1 = admittance(n1), a2 = admittance(n2);
+    const Number b = std::cos(beta) - i * a2 / a1 * std::sin(beta),
+                 c = a2 * std::cos(beta) - i * a1 * std::sin(beta);
+    sum += 0.5 * std::norm((a0 * b - c) / (a0 * b + c));
+  }
+  return sum;
+}
+
+/// Films thinner than what is outside them have a critical angle; about it, and as far as it goes, nothing
+/// jumps.
+TEST(ThinFilm, AgreesWithItsMatrixAboutTheCriticalAngle) {
+  for (const float outside : {1.33f, 1.5f, 2.4f})
+    for (const Complex base : {Complex{1.0f}, Complex{1.5f}, Complex{0.2f, 3.0f}})
+      for (const float phase : {0.1f, 1.0f, 5.0f}) {
+        const ThinFilm film{outside, 1.3f, base, phase};
+        const float critical = std::sqrt(1.0f - sqr(1.3f / outside));
+        for (const float aside : {0.0f, 1e-7f, 1e-6f, 1e-5f, 1e-4f, 1e-3f, 0.1f})
+          for (const float cos_i : {critical - aside, critical + aside})
+            EXPECT_NEAR(film.reflectance(cos_i), film_by_matrix(film, cos_i), 2e-4)
+                << outside << ' ' << base.re << ' ' << phase << ' ' << cos_i;
+      }
 }
 
 /// A quarter wave of index √n on glass reflects nothing at normal incidence; any other film of a quarter wave

@@ -58,6 +58,30 @@ TEST_F(GltfTest, GlassThatSaysWhichItIsStays) {
   EXPECT_TRUE(open.warnings.empty());
 }
 
+TEST_F(GltfTest, WhatGlassDoesNotWearIsWarnedOf) {
+  SquareFile file;
+  const auto warnings_of = [&](const std::string& pbr, double transmission) {
+    file.materials = fmt::format(
+        R"([{{"name": "car", "pbrMetallicRoughness": {{{}}}, "extensions": {{
+        "KHR_materials_transmission": {{"transmissionFactor": {}}},
+        "KHR_materials_clearcoat": {{"clearcoatFactor": 1}}, "KHR_materials_anisotropy": {{"anisotropyStrength": 0.5}}}}}}])",
+        pbr, transmission);
+    return load(file.str()).warnings;
+  };
+  EXPECT_EQ(
+      warnings_of(R"("metallicFactor": 0)", 1),
+      std::vector<std::string>{"material \"car\": its glass is rendered without clearcoat and anisotropy"});
+  EXPECT_EQ(warnings_of(R"("metallicFactor": 0.5)", 0.5).size(), 1u);
+  EXPECT_TRUE(warnings_of(R"("metallicFactor": 0)", 0).empty());
+  EXPECT_TRUE(warnings_of(R"("metallicFactor": 1)", 1).empty());  // no glass is left
+
+  file.materials =
+      R"([{"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1},
+      "KHR_materials_sheen": {"sheenColorFactor": [1, 1, 1]}}, "pbrMetallicRoughness": {"metallicFactor": 0}}])";
+  EXPECT_EQ(load(file.str()).warnings,
+            std::vector<std::string>{"material 0: its glass is rendered without sheen"});
+}
+
 TEST_F(GltfTest, WrongExtrasOfGlassAreRefused) {
   SquareFile file;
   for (const char* wrong : {R"({"solid": 1})", R"({"solid": "yes"})", R"({"priority": 1.5})",

@@ -21,8 +21,6 @@ void expect_consistent(const Material& material, Vec3f wo, Vec3f axis, std::size
   const BsdfReport r = examine(local_bsdf(material, 2), wo, axis, kSamples, 23);
   EXPECT_GT(r.chi_square_p, sidak_significance(0.01, tests)) << what;
   EXPECT_LT(r.pdf_integral, 1.0 + 5e-4) << what;
-  EXPECT_LT(r.worst_weight, 0.01) << what;
-  EXPECT_LT(r.worst_pdf, 0.01) << what;
   const double z = z_score(r.albedo, {r.albedo_quadrature, 3e-4});
   EXPECT_LT(std::abs(z), normal_threshold(sidak_significance(0.01, tests)))
       << what << ": sampled " << r.albedo.mean << ", quadrature " << r.albedo_quadrature;

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "core/frame.h"
-#include "core/fresnel.h"
 #include "core/microfacet.h"
 #include "support/bsdf_checks.h"
 
@@ -129,21 +128,6 @@ TEST(Frame, IsOrthonormalAndRightHandedEverywhere) {
     const Vec3f w{0.36f, -0.48f, 0.8f};
     EXPECT_LT(length(f.to_local(f.to_world(w)) - w), 1e-6f);
   }
-}
-
-/// Snell's and Fresnel's laws at places known from theory.
-TEST(Fresnel, KnownValues) {
-  EXPECT_NEAR(fresnel_dielectric(1.0f, 1.5f), 0.04f, 1e-6f);
-  EXPECT_NEAR(fresnel_dielectric(1.0f, 1 / 1.5f), 0.04f, 1e-6f);
-  EXPECT_NEAR(fresnel_dielectric(1e-4f, 1.5f), 1.0f, 1e-3f);
-  EXPECT_EQ(fresnel_dielectric(0.5f, 1 / 1.5f), 1.0f);  // beyond the critical angle
-  EXPECT_NEAR(fresnel_dielectric(0.3f, 1.0f), 0.0f, 1e-12f);
-  // Brewster's angle: only one polarisation comes back, ((n² − 1)/(n² + 1))²/2.
-  const float n = 1.5f, brewster = 1.0f / std::sqrt(1.0f + n * n);
-  EXPECT_NEAR(fresnel_dielectric(brewster, n), 0.5f * sqr((n * n - 1) / (n * n + 1)), 1e-6f);
-  // Both sides of an interface reflect alike.
-  const float cos_i = 0.6f, cos_t = std::sqrt(1.0f - (1.0f - cos_i * cos_i) / (n * n));
-  EXPECT_NEAR(fresnel_dielectric(cos_i, n), fresnel_dielectric(cos_t, 1 / n), 1e-6f);
 }
 
 TEST(Sampling, AngleAbove) {

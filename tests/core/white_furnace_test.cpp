@@ -174,6 +174,12 @@ void expect_white_glass(const Material& m, double ior, const std::string& what, 
       expect_white(bsdf, direction(side * cos_theta), at(what, m.roughness, side * cos_theta), ior);
 }
 
+Material film_of_air(const Material& m) {
+  Material filmed = iridescent(m, 400.0f);
+  filmed.extensions.iridescence_ior = 1.0f;
+  return filmed;
+}
+
 constexpr std::array kGlassRoughnesses{0.0f, 0.033f, 0.055f, 0.13f, 0.3f, 0.6f, 1.0f};
 
 TEST(WhiteFurnace, SolidGlass) {
@@ -196,6 +202,15 @@ TEST(WhiteFurnace, FilmsOnSolidGlass) {
       for (float thickness : {120.0f, 400.0f, 1000.0f})
         expect_white_glass(iridescent(solid_glass(ior, roughness), thickness), ior,
                            "film of " + std::to_string(thickness) + " nm on ior " + std::to_string(ior));
+}
+
+/// glTF allows the index 1: no film.
+TEST(WhiteFurnace, FilmsOfIndexOne) {
+  for (float roughness : {0.0f, 0.055f, 0.3f, 1.0f}) {
+    expect_white(film_of_air(plastic(kWhite, roughness)), "film of air on plastic");
+    expect_white_glass(film_of_air(solid_glass(1.5f, roughness)), 1.5, "film of air on glass");
+    expect_white_glass(film_of_air(thin_glass(1.5f, roughness)), 1.0, "film of air on thin glass");
+  }
 }
 
 TEST(WhiteFurnace, DispersiveGlass) {

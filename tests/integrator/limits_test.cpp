@@ -23,8 +23,25 @@ TEST(TileError, IsHalfTheDistanceOfTheFilms) {
   camera.width = 20, camera.height = 4;
   const std::vector<Tile> tiles = film_tiles(camera);
   ASSERT_EQ(tiles.size(), 2u);
-  EXPECT_NEAR(expected_delta_e(a, b, tiles[0]), 0.5 * 10.0 / s, 1e-9);
-  EXPECT_NEAR(expected_delta_e(a, b, tiles[1]), 0.0, 1e-9);
+  EXPECT_NEAR(expected_delta_e(a, b, tiles[0]).value(), 0.5 * 10.0 / s, 1e-9);
+  EXPECT_NEAR(expected_delta_e(a, b, tiles[1]).value(), 0.0, 1e-9);
+
+  // Of 3 samples to 1 the distance is 2/√3 times as large, and the mean of all nearer to the three.
+  for (std::size_t i = 0; i < 80; ++i) a.add(i, grey(60)), a.add(i, grey(60));
+  EXPECT_NEAR(expected_delta_e(a, b, tiles[0]).value(), std::sqrt(3.0) / 4.0 * 10.0 / s, 1e-9);
+  EXPECT_NEAR(expected_delta_e(a, b, tiles).value(), 0.8 * std::sqrt(3.0) / 4.0 * 10.0 / s, 1e-9);
+}
+
+TEST(TileError, IsNotKnownOfOneFilm) {
+  Film a(20, 4), b(20, 4);
+  Camera camera;
+  camera.width = 20, camera.height = 4;
+  const std::vector<Tile> tiles = film_tiles(camera);
+  for (std::size_t i = 0; i < 80; ++i) a.add(i, d65_white());
+  EXPECT_FALSE(expected_delta_e(a, b, tiles[0]));
+  b.add(0, d65_white());  // a pixel that lost its samples does not count
+  EXPECT_EQ(expected_delta_e(a, b, tiles[0]).value(), 0.0);
+  EXPECT_FALSE(expected_delta_e(a, b, tiles));
 }
 
 /// Against a reference of many samples: the error reached is the one asked for, by its own estimate and in
@@ -55,6 +72,22 @@ TEST(Limits, TargetErrorNeverTakesMoreThanSpp) {
   const RenderResult r = render(scene, UniformWavelengths{4}, {.spp = 37, .target_error = 1e-3});
   EXPECT_EQ(r.stats.paths, 20u * 20u * 37u);
   EXPECT_GT(*r.stats.expected_delta_e, 1e-3);
+}
+
+/// However the samples fall to the two films, the estimate is near the truth; of one film there is none.
+TEST(Limits, ExpectedErrorIsTheTrueOne) {
+  const PreparedScene scene(glossy_room(24).build());
+  const WavelengthSampler sampler = all_samplers(scene_emission(scene)).at(2);
+  const Image reference = render(scene, sampler, {.spp = 4096, .seed = 99}).film.to_linear_srgb();
+  for (int spp : {9, 16, 24, 37}) {
+    const RenderResult r = render(scene, sampler, {.spp = spp, .target_error = 1e-3, .seed = 3});
+    const double truth = compare_images(reference, r.film.to_linear_srgb()).mean_delta_e;
+    ASSERT_TRUE(r.stats.expected_delta_e) << spp;
+    EXPECT_NEAR(*r.stats.expected_delta_e, truth, 0.3 * truth) << spp;
+  }
+  EXPECT_FALSE(render(scene, sampler, {.spp = 8, .target_error = 1e-3}).stats.expected_delta_e);
+  const RenderOptions hasty{.spp = 1 << 20, .seconds = 1e-6, .target_error = 1e-3};
+  EXPECT_FALSE(render(scene, sampler, hasty).stats.expected_delta_e);
 }
 
 TEST(Limits, TimeLeavesNoPixelWithoutASample) {

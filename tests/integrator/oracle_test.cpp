@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "integrator/integrator.h"
+#include "integrator/vertex.h"
 #include "support/standard_scenes.h"
 #include "support/statistics.h"
 
@@ -40,6 +43,29 @@ TEST(Oracle, GlossyRoom) {
 }
 TEST(Oracle, GlassRoom) {
   compare_with_oracle(glass_room(), 8, 1000, 1500);
+}
+
+/// A BSDF that has lost its way.
+struct LostBsdf {
+  static constexpr bool kTwoSided = true;
+  LostBsdf(const ShadingMaterial<4>&, Vec3f) {}
+  std::optional<BsdfSample<4>> sample(float, Sample2d) const {
+    const float nan = std::nanf("");
+    return BsdfSample<4>{{nan, nan, nan}, SampledSpectrum<4>(1.0f), 1.0f, false};
+  }
+};
+
+/// A direction that is not a number goes on, to be counted where its ray cannot be traced.
+TEST(Oracle, LostDirectionsAreNotHidden) {
+  const PreparedScene scene(diffuse_room().build());
+  const Ray down{{0, 0, 1}, {0.1f, 0.2f, -1}};
+  const Hit hit = scene.accel.intersect(down);
+  ASSERT_NE(hit.shape, kNoHit);
+  const Vertex<4, LostBsdf> vertex(scene, hit, -down.direction, SampledSpectrum<4>(550.0f),
+                                   SampledSpectrum<4>(1.0f));
+  const auto lost = vertex.sample(0.5f, {0.5f, 0.5f});
+  ASSERT_TRUE(lost);
+  EXPECT_FALSE(is_traceable(Ray{down.origin, lost->wi}));
 }
 
 /// The stratified sequence estimates it too: the mean over seeds, its error from their scatter.

@@ -58,6 +58,7 @@ TEST(LampSet, PowersAreLuminous) {
 TEST(LampSet, WithoutLightIsEmpty) {
   EXPECT_TRUE(lamp_set({}, {}).empty());
   EXPECT_TRUE(lamp_set(std::vector{lamp("A")}, std::vector{0.0}).empty());
+  EXPECT_NE(digest(std::span<const TabulatedSpectrum>{}), digest(lamp("A")));
   EXPECT_THROW(lamp_set(std::vector{lamp("A")}, {}), std::invalid_argument);
   EXPECT_THROW(lamp_set(std::vector{lamp("A")}, std::vector{-1.0}), std::invalid_argument);
   EXPECT_THROW(lamp_set(std::vector{lamp("A")}, std::vector{std::nan("")}), std::invalid_argument);

@@ -154,6 +154,23 @@ TEST_F(DistributionFile, NamesWhatIsWrongAndWhere) {
   expect("{", "{{", "");
 }
 
+/// Wavelengths that the base leaves out are drawn by no density: the picture would lack their light.
+TEST_F(DistributionFile, TheBaseLeavesNoGap) {
+  good_.base = PiecewiseLinearDensity({360.0, 500.0, 500.0, 830.0}, {1.0, 1.0, 2.0, 2.0});
+  EXPECT_EQ(complaint("360.0", "360.0"), "");
+  const auto of_base = [&](std::vector<double> nm, std::vector<double> density) {
+    good_.base = PiecewiseLinearDensity(std::move(nm), std::move(density));
+    return complaint("360", "360");
+  };
+  EXPECT_NE(of_base({360.0, 500.0, 830.0}, {1.0, 0.0, 1.0}).find("#/base/density/1"), std::string::npos);
+  EXPECT_NE(of_base({360.0, 500.0, 500.0, 600.0, 600.0, 830.0}, {1.0, 1.0, 0.0, 0.0, 1.0, 1.0})
+                .find("#/base/density/2"),
+            std::string::npos);
+  EXPECT_NE(of_base({360.0, 829.0}, {1.0, 1.0}).find("360 to 830 nm"), std::string::npos);
+  good_.base = PiecewiseLinearDensity({361.0, 830.0}, {1.0, 1.0});
+  EXPECT_NE(complaint("361", "361").find("#/base/nm"), std::string::npos);
+}
+
 TEST_F(DistributionFile, StepsMayBeZeroButLeaveNoGap) {
   good_.stepped = true;
   good_.components = {{{1.0, 0.0, 2.0}}, {{0.0, 3.0, 0.0}}};

@@ -2,6 +2,7 @@
 
 #include "furnace.h"
 #include "stress_case.h"
+#include "support/layered_materials.h"
 
 namespace photopic::test {
 namespace {
@@ -42,6 +43,14 @@ SceneBuilder pile(float roughness) {
   return b;
 }
 
+/// So dark that no wavelength is left where a path meets the far side.
+Material ink(float roughness) {
+  Material m = solid_glass(1.5f, roughness);
+  m.attenuation_color = ConstantSpectrum{0.0};
+  m.attenuation_distance = 1e-6f;
+  return m;
+}
+
 /// Extremes of what a file may say. None is brighter than the furnace; the oracle says how bright.
 std::vector<std::pair<const char*, Material>> odd_materials() {
   std::vector<std::pair<const char*, Material>> odd{
@@ -50,13 +59,15 @@ std::vector<std::pair<const char*, Material>> odd_materials() {
       {"plastic of index 0", plastic(ConstantSpectrum{1.0}, 0.3f, 0.0f)},
       {"glass of index 0", solid_glass(0.0f, 0.0f)},
       {"rough glass of index 0", solid_glass(0.0f, 0.5f)}};
-  Material ink = solid_glass(1.5f, 0.2f);
-  ink.attenuation_color = ConstantSpectrum{0.0};
-  ink.attenuation_distance = 1e-6f;
-  odd.push_back({"ink of 1 micron", ink});
-  ink.attenuation_color = ConstantSpectrum{1e-30};
-  ink.attenuation_distance = 1e6f;
-  odd.push_back({"ink of 1000 km", ink});
+  odd.push_back({"ink of 1 micron", ink(0.2f)});
+  odd.push_back({"dispersive ink", dispersive(ink(0.0f), "SF11")});
+  odd.push_back({"rough dispersive ink", dispersive(ink(0.2f), "SF11")});
+  odd.push_back({"ink under a film", iridescent(ink(0.0f), 400.0f)});
+  odd.push_back({"rough ink under a film", iridescent(ink(0.2f), 400.0f)});
+  Material thin_ink = ink(0.2f);
+  thin_ink.attenuation_color = ConstantSpectrum{1e-30};
+  thin_ink.attenuation_distance = 1e6f;
+  odd.push_back({"ink of 1000 km", thin_ink});
   Material mix = solid_glass(1.5f, 0.3f);
   mix.metallic = 0.5f, mix.transmission = 0.5f, mix.specular = 0.0f;
   odd.push_back({"glass and metal without specular", mix});

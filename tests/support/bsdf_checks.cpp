@@ -8,6 +8,7 @@
 #include "core/glass_bsdf.h"
 #include "core/layered_bsdf.h"
 #include "core/opaque_bsdf.h"
+#include "core/prepared_scene.h"
 #include "core/spectral_glass_bsdf.h"
 
 namespace photopic::test {
@@ -37,7 +38,9 @@ Bsdf make_bsdf(const Surface& surface, Vec3f wo) {
 template <typename Bsdf>
 class BsdfMaker {
  public:
-  explicit BsdfMaker(const Material& material) : surface_(material) {}
+  explicit BsdfMaker(const Material& material) : surface_(material) {
+    prepare_albedos({&material, 1}, {true}, {&surface_, 1});
+  }
   const Bsdf& operator()(Vec3f wo) {
     if (!bsdf_ || !(wo == wo_)) bsdf_.emplace(make_bsdf<Bsdf>(surface_, wo)), wo_ = wo;
     return *bsdf_;

@@ -15,7 +15,7 @@
 namespace photopic {
 namespace {
 
-constexpr double kMaxPixels = 1 << 28;
+constexpr double kMaxPixels = 1 << 28;  // the film takes 56 bytes a pixel
 constexpr int kDefaultWidth = 640;
 constexpr double kDefaultAspect = 4.0 / 3.0;
 
@@ -178,6 +178,7 @@ void load_gltf_camera(const GltfDocument& document, const std::vector<NodeInstan
   if (const NodeInstance* instance = choose_camera(document, instances, options.camera, scene.warnings)) {
     const int index = document.model.nodes[instance->node].camera;
     const std::string& name = document.model.cameras[index].name;
+    scene.camera_index = index;
     scene.camera_name = name.empty() ? document.model.nodes[instance->node].name : name;
     const CameraExtras extras(document, index);
     const double aspect = read_projection(document, index, scene.camera);

@@ -5,71 +5,16 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/box.h"
 #include "core/gltf/geometry_plan.h"
 #include "core/gltf/skin.h"
+#include "core/gltf/vertex_selection.h"
 #include "core/surface_point.h"
 
 namespace photopic {
 namespace {
 
 constexpr double kMaxCoordinate = 1e12;  // below kFarthest; its cube fits a float
-
-struct Box {
-  Vec3d low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-
-  void add(Vec3d p) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  Vec3d middle() const { return low.x <= high.x ? (low + high) * 0.5 : Vec3d{}; }
-  Vec3d corner(int i) const {
-    return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z};
-  }
-};
-
-/// How the vertices of a part come to where the geometry keeps them.
-struct VertexMap {
-  Affine whole;
-  std::vector<Affine> of_vertex;  ///< of skinned parts
-
-  const Affine& operator[](std::size_t i) const { return of_vertex.empty() ? whole : of_vertex[i]; }
-  void translate(Vec3d by) {
-    whole.t = whole.t + by;
-    for (Affine& m : of_vertex) m.t = m.t + by;
-  }
-};
-
-/// The vertices of a primitive that are stored: all, or, where it has fewer indices than vertices (exporters
-/// let many primitives share one long list), those that it uses.
-class VertexSelection {
- public:
-  VertexSelection(const GltfDocument& document, const PrimitiveRef& ref) {
-    const std::size_t vertices = vertex_count(document, ref.in(document));
-    if (stored_vertex_count(document, ref.in(document)) == vertices) return;
-    place_.assign(vertices, kUnused);
-    for (const std::uint32_t index : read_checked_indices(document, ref)) place_[index] = 0;
-    std::uint32_t next = 0;
-    for (std::uint32_t& place : place_)
-      if (place != kUnused) place = next++;
-  }
-
-  std::uint32_t place_of(std::uint32_t vertex) const { return place_.empty() ? vertex : place_[vertex]; }
-
-  /// Calls visit(place, vertex) for those of `count` vertices that are stored.
-  template <typename Visit>
-  void for_each(std::size_t count, const Visit& visit) const {
-    for (std::size_t i = 0; i < count; ++i) {
-      if (place_.empty())
-        visit(i, i);
-      else if (place_[i] != kUnused)
-        visit(place_[i], i);
-    }
-  }
-
- private:
-  static constexpr std::uint32_t kUnused = ~0u;
-  std::vector<std::uint32_t> place_;  ///< of each vertex; empty: all are stored as they stand
-};
 
 /// Scaled first, so that neither tiny nor huge transformations underflow or overflow in the square.
 Vec3f unit_or_zero(Vec3d v) {
@@ -126,7 +71,7 @@ class GeometryLoader {
                      "correct the positions or scales");
   }
 
-  void add_to(Box& box, const Part& part) {
+  void add_to(Boxd& box, const Part& part) {
     const VertexMap map = map_of(part);
     const int node = node_of(part);
     const auto positions = read_morphed<Vec3f>(document_, part.primitive, node, "POSITION");
@@ -139,7 +84,7 @@ class GeometryLoader {
 
   /// The scene's origin is the middle of its bounding box, a prototype's that of its own.
   void find_middles() {
-    Box world;
+    Boxd world;
     for (const Part& part : plan_.baked) add_to(world, part);
     for (const auto& prototype : plan_.prototypes) {
       boxes_.emplace_back();
@@ -244,7 +189,7 @@ class GeometryLoader {
   }
 
   void append_instance(std::uint32_t prototype, Affine to_world) {
-    const Box& box = boxes_[prototype];
+    const Boxd& box = boxes_[prototype];
     to_world.t = to_world.point(box.middle()) - scene_.origin;
     geometry_.instances.push_back(
         {round_to_float(to_world), prototype, instance_error(to_world, box.high - box.middle())});
@@ -255,7 +200,7 @@ class GeometryLoader {
   Scene& scene_;
   Geometry& geometry_;
   SkinPoses skins_;
-  std::vector<Box> boxes_;      ///< of each prototype, in its mesh's own space
+  std::vector<Boxd> boxes_;     ///< of each prototype, in its mesh's own space
   std::uint32_t vertices_ = 0;  ///< appended so far
 };
 

@@ -72,7 +72,8 @@ void load_gltf_lights(const GltfDocument& document, const std::vector<NodeInstan
     const int spectrum =
         emissions.add({source.name, "light", pointer, "color", color_of(source), &source.extras}).spectrum;
     scene.punctual_lights.push_back(place(
-        document, instance, {.kind = kind_of(source), .intensity = intensity, .emission_spectrum = spectrum},
+        document, instance,
+        {.kind = kind_of(source), .intensity = intensity, .emission_spectrum = spectrum, .index = index},
         source, scene.origin));
   }
   if (options.punctual_scale != 1.0 && scene.punctual_lights.empty())

@@ -1,6 +1,7 @@
 #include "core/gltf/material.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -54,8 +55,7 @@ void set_base_color(const GltfDocument& document, std::size_t index, Material& m
 void set_attributes(const GltfDocument& document, std::size_t index, Material& material) {
   for (const GltfTextureUse& use : gltf_texture_uses(document, index)) {
     material.uv_sets = static_cast<std::uint8_t>(material.uv_sets | 1u << use.uv_set);
-    if (use.slot == &MaterialTextures::normal || use.slot == &MaterialTextures::clearcoat_normal)
-      material.needs_tangents = true;
+    material.needs_tangents |= use.slot->is_normal_map;
   }
 }
 
@@ -116,6 +116,32 @@ Material load_material(const GltfDocument& document, std::size_t index) {
   return material;
 }
 
+bool has_glass(const tinygltf::Material& source, const Material& material) {
+  const bool all_metal =
+      material.metallic == 1.0f && source.pbrMetallicRoughness.metallicRoughnessTexture.index < 0;
+  return material.transmission > 0.0f && !all_metal;
+}
+
+/// "clearcoat and sheen", or nothing: what the opaque share of a material has and its glass has not.
+std::string missing_on_glass(const MaterialExtensions& x) {
+  std::vector<std::string> names;
+  if (x.clearcoat > 0.0f) names.emplace_back("clearcoat");
+  if (x.has_sheen()) names.emplace_back("sheen");
+  if (x.anisotropy > 0.0f) names.emplace_back("anisotropy");
+  return fmt::format("{}", fmt::join(names, " and "));
+}
+
+void warn_of_bare_glass(const GltfDocument& document, Scene& scene) {
+  for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
+    const Material& material = scene.materials[i];
+    const std::string missing = missing_on_glass(material.extensions);
+    if (missing.empty() || !has_glass(document.model.materials[i], material)) continue;
+    const std::string name =
+        material.name.empty() ? std::to_string(i) : fmt::format("\"{}\"", material.name.substr(0, 60));
+    scene.warnings.push_back(fmt::format("material {}: its glass is rendered without {}", name, missing));
+  }
+}
+
 void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& warnings) {
   std::size_t bright_specular = 0;
   for (const tinygltf::Material& m : document.model.materials) {
@@ -170,6 +196,7 @@ void load_gltf_materials(const GltfDocument& document, Scene& scene) {
   scene.materials.push_back(Material{.name = "default"});
   find_vertex_colors(document, scene.materials);
   warn_of_ignored(document, scene.warnings);
+  warn_of_bare_glass(document, scene);
 }
 
 }  // namespace photopic

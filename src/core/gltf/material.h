@@ -13,8 +13,7 @@ namespace photopic {
 void load_gltf_materials(const GltfDocument& document, Scene& scene);
 
 /// The spectrum that an object's `extras` give under `key`: SPECTRUM as text, its files relative to the glTF
-/// file, or
-/// {"nm": [...], "value": [...]}. Nothing when there is none.
+/// file, or {"nm": [...], "value": [...]}. Nothing when there is none.
 struct ExtrasSpectrum {
   Spectrum spectrum;
   std::string name;

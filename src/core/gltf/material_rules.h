@@ -58,8 +58,7 @@ inline constexpr Member kDiffuseTransmission[] = {
 };
 inline constexpr Member kDispersion[] = {{"dispersion", kNotNegative}};
 inline constexpr Member kEmissiveStrength[] = {{"emissiveStrength", Number{0, 1e15}}};
-inline constexpr Member kIor[] = {
-    {"ior", Number{0, 100}}};  // and not between 0 and 1: checked beside the tables
+inline constexpr Member kIor[] = {{"ior", Number{0, 100}}};  // and not between 0 and 1: material.cpp asks
 inline constexpr Member kIridescence[] = {
     {"iridescenceFactor", kUnit},
     {"iridescenceIor", Number{1, 100}},

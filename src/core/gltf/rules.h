@@ -7,7 +7,7 @@
 #include "core/gltf/rule.h"
 
 /// What glTF 2.0's schema (Khronos, ISO/IEC 12113:2022, annex on JSON schema) and its extensions' ask of what
-/// the loader may read, object by object. What two members must be to each other, checks.cpp knows.
+/// the loader may read, object by object. What two members must be to each other, member_checks.h says.
 namespace photopic::gltf_rules {
 
 inline constexpr Member kSparseIndices[] = {

@@ -45,38 +45,18 @@ UvTransform uv_transform(const tinygltf::Value* value) {
           to_float({-s * x, c * y, number("offset", 1, 0.0)})};
 }
 
-/// Collects a material's uses.
-class Uses {
- public:
-  Uses(const GltfDocument& document, std::size_t material)
-      : source_(document.model.materials[material]), pointer_(fmt::format("/materials/{}", material)) {}
-
-  template <typename T>
-  void add(Texture MaterialTextures::*slot, const T& info, bool srgb, const char* place) {
-    add_info(slot, Info::of(info), srgb, place);
-  }
-  void add_of_extension(Texture MaterialTextures::*slot, const char* extension, const char* key, bool srgb) {
-    const auto found = source_.extensions.find(extension);
-    if (found == source_.extensions.end() || !found->second.Has(key)) return;
-    add_info(slot, Info::of_value(found->second.Get(key)), srgb,
-             fmt::format("extensions/{}/{}", extension, key));
-  }
-
-  std::vector<GltfTextureUse> list;
-
- private:
-  void add_info(Texture MaterialTextures::*slot, const Info& info, bool srgb, const std::string& place) {
-    if (info.index < 0) return;
-    const std::string pointer = pointer_ + "/" + place;
-    const int set =
-        info.transform ? Info::integer(*info.transform, "texCoord", info.tex_coord) : info.tex_coord;
-    list.push_back(
-        {slot, srgb, pointer, info.index, static_cast<std::uint8_t>(set), uv_transform(info.transform)});
-  }
-
-  const tinygltf::Material& source_;
-  std::string pointer_;
-};
+/// Where tinygltf keeps a slot's textureInfo object.
+Info info_of(const tinygltf::Material& m, const TextureSlot& slot) {
+  using M = MaterialTextures;
+  if (slot.texture == &M::base_color) return Info::of(m.pbrMetallicRoughness.baseColorTexture);
+  if (slot.texture == &M::metallic_roughness)
+    return Info::of(m.pbrMetallicRoughness.metallicRoughnessTexture);
+  if (slot.texture == &M::normal) return Info::of(m.normalTexture);
+  if (slot.texture == &M::emissive) return Info::of(m.emissiveTexture);
+  const auto extension = m.extensions.find(slot.extension);
+  if (extension == m.extensions.end() || !extension->second.Has(slot.key)) return {};
+  return Info::of_value(extension->second.Get(slot.key));
+}
 
 int image_of(const GltfDocument& document, int texture) {
   const tinygltf::Texture& source = document.model.textures[static_cast<std::size_t>(texture)];
@@ -105,7 +85,7 @@ float clearcoat_normal_scale(const tinygltf::Material& source) {
 Texture make_texture(const GltfDocument& document, const GltfTextureUse& use,
                      std::shared_ptr<const TextureImage> image) {
   Texture texture{
-      .image = std::move(image), .uv_set = use.uv_set, .transform = use.transform, .srgb = use.srgb};
+      .image = std::move(image), .uv_set = use.uv_set, .transform = use.transform, .srgb = use.slot->srgb};
   const int index = document.model.textures[static_cast<std::size_t>(use.texture)].sampler;
   if (index < 0) return texture;
   const tinygltf::Sampler& sampler = document.model.samplers[static_cast<std::size_t>(index)];
@@ -118,37 +98,19 @@ Texture make_texture(const GltfDocument& document, const GltfTextureUse& use,
 }  // namespace
 
 std::vector<GltfTextureUse> gltf_texture_uses(const GltfDocument& document, std::size_t material) {
-  using M = MaterialTextures;
   const tinygltf::Material& m = document.model.materials[material];
-  const auto& base = m.pbrMetallicRoughness.baseColorTexture;
-  Uses uses(document, material);
-  uses.add(&M::base_color, base, true, "pbrMetallicRoughness/baseColorTexture");
-  if (m.extensions.contains("KHR_materials_unlit")) {
-    uses.add(&M::emissive, base, true, "pbrMetallicRoughness/baseColorTexture");
-    return uses.list;
+  const bool unlit = m.extensions.contains("KHR_materials_unlit");
+  std::vector<GltfTextureUse> uses;
+  for (const TextureSlot& slot : kTextureSlots) {
+    const bool is_base = slot.texture == &MaterialTextures::base_color;
+    if (unlit && !is_base && slot.texture != &MaterialTextures::emissive) continue;
+    const Info info = unlit ? Info::of(m.pbrMetallicRoughness.baseColorTexture) : info_of(m, slot);
+    if (info.index < 0) continue;
+    const int set =
+        info.transform ? Info::integer(*info.transform, "texCoord", info.tex_coord) : info.tex_coord;
+    uses.push_back({&slot, info.index, static_cast<std::uint8_t>(set), uv_transform(info.transform)});
   }
-  uses.add(&M::metallic_roughness, m.pbrMetallicRoughness.metallicRoughnessTexture, false,
-           "pbrMetallicRoughness/metallicRoughnessTexture");
-  uses.add(&M::normal, m.normalTexture, false, "normalTexture");
-  uses.add(&M::emissive, m.emissiveTexture, true, "emissiveTexture");
-  uses.add_of_extension(&M::transmission, "KHR_materials_transmission", "transmissionTexture", false);
-  uses.add_of_extension(&M::specular, "KHR_materials_specular", "specularTexture", false);
-  uses.add_of_extension(&M::specular_color, "KHR_materials_specular", "specularColorTexture", true);
-  uses.add_of_extension(&M::clearcoat, "KHR_materials_clearcoat", "clearcoatTexture", false);
-  uses.add_of_extension(&M::clearcoat_roughness, "KHR_materials_clearcoat", "clearcoatRoughnessTexture",
-                        false);
-  uses.add_of_extension(&M::clearcoat_normal, "KHR_materials_clearcoat", "clearcoatNormalTexture", false);
-  uses.add_of_extension(&M::sheen_color, "KHR_materials_sheen", "sheenColorTexture", true);
-  uses.add_of_extension(&M::sheen_roughness, "KHR_materials_sheen", "sheenRoughnessTexture", false);
-  uses.add_of_extension(&M::anisotropy, "KHR_materials_anisotropy", "anisotropyTexture", false);
-  uses.add_of_extension(&M::iridescence, "KHR_materials_iridescence", "iridescenceTexture", false);
-  uses.add_of_extension(&M::iridescence_thickness, "KHR_materials_iridescence", "iridescenceThicknessTexture",
-                        false);
-  uses.add_of_extension(&M::diffuse_transmission, "KHR_materials_diffuse_transmission",
-                        "diffuseTransmissionTexture", false);
-  uses.add_of_extension(&M::diffuse_transmission_color, "KHR_materials_diffuse_transmission",
-                        "diffuseTransmissionColorTexture", true);
-  return uses.list;
+  return uses;
 }
 
 void load_gltf_textures(const GltfDocument& document, Scene& scene) {
@@ -168,7 +130,7 @@ void load_gltf_textures(const GltfDocument& document, Scene& scene) {
     auto textures = std::make_shared<MaterialTextures>();
     for (const GltfTextureUse& use : uses) {
       const auto image = static_cast<std::size_t>(image_of(document, use.texture));
-      (*textures).*use.slot = make_texture(document, use, images[image]);
+      (*textures).*use.slot->texture = make_texture(document, use, images[image]);
     }
     const tinygltf::Material& source = document.model.materials[material];
     textures->normal_scale = static_cast<float>(source.normalTexture.scale);

@@ -1,25 +1,21 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/gltf/document.h"
-#include "core/scene.h"
+#include "core/texture_slots.h"
 
 namespace photopic {
 
 /// A texture that a glTF material names and the renderer reads.
 struct GltfTextureUse {
-  Texture MaterialTextures::*slot;  ///< what it varies
-  bool srgb;
-  std::string pointer;  ///< of the textureInfo object
+  const TextureSlot* slot;  ///< what it varies
   int texture;
   std::uint8_t uv_set;
   UvTransform transform;
 };
 
-/// All of a material's; occlusion, which a path tracer finds by itself, and the thickness of volumes, which
-/// it does not need, are left out. An unlit material's base colour is its emission.
+/// All of a material's. An unlit material's base colour is its emission.
 std::vector<GltfTextureUse> gltf_texture_uses(const GltfDocument& document, std::size_t material);
 
 /// Gives the scene's used materials (those of a shape) their textures; decodes the images they name and no

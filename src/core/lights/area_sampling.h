@@ -50,7 +50,7 @@ struct LightView {
   /// Density of directions where area is sampled [1/sr]. @param distance to the point [m]
   template <typename Light>
   T pdf_by_area(const Light& light, T distance) const {
-    return distance * distance * distance / (abs(height) * light.area);
+    return (distance * distance / light.area) * (distance / abs(height));  // the cube might overflow
   }
 
   /// Where a shadow ray ends: a little in front of the point.

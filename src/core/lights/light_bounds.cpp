@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/box.h"
+
 namespace photopic {
 namespace {
 
@@ -12,13 +14,6 @@ using Buckets = std::array<LightBounds, kBuckets>;
 
 float component(Vec3f v, int axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
-Vec3f lower(Vec3f a, Vec3f b) {
-  return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
-}
-Vec3f upper(Vec3f a, Vec3f b) {
-  return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
 float clamped_acos(float x) {
@@ -79,15 +74,11 @@ LightBounds bounds_of(const Buckets& buckets, int begin, int end) {
 class Division {
  public:
   Division(const std::vector<LightBounds>& lights, std::span<const std::uint32_t> members) : lights_(lights) {
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    Vec3f low{kInfinity, kInfinity, kInfinity}, high = -low;
-    for (const std::uint32_t i : members) {
-      low = lower(low, lights[i].middle());
-      high = upper(high, lights[i].middle());
-    }
-    const Vec3f extent = high - low;
+    Boxf box;
+    for (const std::uint32_t i : members) box.add(lights[i].middle());
+    const Vec3f extent = box.high - box.low;
     axis_ = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-    from_ = component(low, axis_), width_ = component(extent, axis_);
+    from_ = component(box.low, axis_), width_ = component(extent, axis_);
   }
 
   /// Not where all middles coincide.

@@ -18,6 +18,7 @@ struct PunctualLight {
   float intensity = 0.0f;      ///< along the direction [cd]; directional: illuminance facing it [lx]
   int emission_spectrum = -1;  ///< index into Scene::emission_spectra
   std::string name{};          ///< the light's, else its node's
+  int index = -1;              ///< in the file's list; −1: in none
 
   /// A spot's angular attenuation, 0 … 1: KHR_lights_punctual, "Inner and Outer Cone Angles".
   float attenuation(float cosine) const;

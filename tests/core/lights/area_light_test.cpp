@@ -192,5 +192,20 @@ TEST(AreaLight, SidesOfALight) {
   EXPECT_FALSE(lights.list()[0].sample({3, 0, 0}, {0.3f, 0.4f}));
 }
 
+/// A solid angle knows no scale, though the cube of a distance may be no number.
+TEST(AreaLight, DensityIsTheSameAtEveryScale) {
+  for (const Lamp& lamp : {kSquare, kTriangle}) {
+    const Vec3d from{0.1, 0.2, 30};
+    const auto density = [&](double scale) {
+      const Lamp scaled{lamp.corner * scale, lamp.edge1 * scale, lamp.edge2 * scale, lamp.parallelogram};
+      const AreaLights lights = scaled.lights();
+      const auto s = lights.list()[0].sample(to_float(from * scale), {0.3f, 0.4f});
+      return s ? s->pdf : 0.0f;
+    };
+    for (const double scale : {1e-12, 1e-3, 1e3, 1e13})
+      EXPECT_NEAR(density(scale) / density(1.0), 1.0, 1e-4) << scale;
+  }
+}
+
 }  // namespace
 }  // namespace photopic

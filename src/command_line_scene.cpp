@@ -1,0 +1,91 @@
+#include "command_line_scene.h"
+
+#include <cmath>
+
+#include "command_line_lights.h"
+#include "command_line_options.h"
+
+namespace photopic {
+namespace {
+
+const CLI::Validator kExposure(
+    [](std::string& text) {
+      double value = 0;
+      const bool number =
+          CLI::detail::lexical_cast(text, value) && std::isfinite(value) && std::abs(value) <= 100;
+      return number ? std::string() : "Value " + text + " is not a number from -100 to 100";
+    },
+    "-100…100");
+
+const CLI::Validator kNotEmpty(
+    [](std::string& text) { return text.empty() ? std::string("it is empty") : std::string(); }, "");
+
+}  // namespace
+
+void bind_scene_file(CLI::App& command, SceneArguments& a) {
+  command.add_option("SCENE", a.scene, "A glTF 2.0 file, .gltf or .glb")->required()->type_name("");
+  bind_lights(command, a);
+  command.add_flag(
+      "--solid-glass", a.solid_glass,
+      "Closed meshes that transmit are solid and refract even without KHR_materials_volume, which "
+      "Blender does not write. Materials may say so by extras: {\"solid\": true}");
+  command.add_option("--resolution", a.resolution, "Size of the image [pixels]; the camera's if not given")
+      ->type_name("WxH");
+  command
+      .add_option("--camera", a.camera,
+                  "The camera whose name or node's name is NAME, else the N-th in the file, from 0: N, or "
+                  "index:N where a camera is called N. Of several with one name, the first. The scene's "
+                  "first if not given; a scene without any is framed")
+      ->check(kNotEmpty)
+      ->type_name("NAME|N");
+}
+
+void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served) {
+  bind_scene_file(command, a);
+  command.add_option("--spp", a.spp, "Samples per pixel")
+      ->capture_default_str()
+      ->check(samples_range())
+      ->type_name("N");
+  command
+      .add_option("--wavelengths", a.wavelengths,
+                  "Wavelengths a path carries: 1, 4, 8 or 16; the --distribution's, else 4, if not given")
+      ->check(CLI::IsMember({1, 4, 8, 16}))
+      ->type_name("N");
+  command
+      .add_option("--distribution", a.distribution,
+                  "Wavelength densities written by `photopic optimize` for this scene's lamps, of " + served +
+                      "; if not given, they are optimised on the spot and kept in $XDG_CACHE_HOME/photopic")
+      ->type_name("FILE.json");
+  command.add_flag("--no-cache", a.no_cache, "Neither read nor write that cache");
+  command.add_option("--sequence", a.sequence, "Random numbers: sobol (Owen-scrambled) or independent")
+      ->capture_default_str()
+      ->check(one_of({"sobol", "independent"}))
+      ->type_name("NAME");
+  command
+      .add_option("--observer", a.observer,
+                  "CIE standard observer: 1931 (2 degrees) or 1964 (10 degrees; D65 comes out white for "
+                  "either). Luminances are 1931's")
+      ->capture_default_str()
+      ->check(CLI::IsMember({1931, 1964}))
+      ->type_name("YEAR");
+  command
+      .add_option("--max-depth", a.max_depth,
+                  "Surfaces a path meets at most; light seen directly has depth 1")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 65536))
+      ->type_name("N");
+  command
+      .add_option("--batch-size", a.batch_size, "Paths advanced together; changes the speed, not the image")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1 << 20))
+      ->type_name("N");
+  command
+      .add_option("--exposure", a.exposure,
+                  "Exposure of PNG and JPEG files [EV, a factor of 2 each]; EXR stays as it is")
+      ->capture_default_str()
+      ->check(kExposure)
+      ->type_name("EV");
+  command.add_flag("--stats", a.stats, "Print counts, times and channel means with their standard errors");
+}
+
+}  // namespace photopic
