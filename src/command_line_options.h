@@ -37,8 +37,7 @@ inline void bind_threads(CLI::App& command, int& threads) {
 }
 
 inline void bind_json(CLI::App& command, std::filesystem::path& json) {
-  command
-      .add_option("--json", json, "Write the result for machines to read; /dev/stdout is one, \"-\" is not")
+  command.add_option("--json", json, "Write the result for machines to read; standard output is /dev/stdout")
       ->type_name("FILE");
 }
 
