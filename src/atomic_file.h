@@ -1,9 +1,12 @@
 #pragma once
 
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "error.h"
@@ -60,11 +63,42 @@ class AtomicFile {
   bool direct_ = false, done_ = false;
 };
 
+/// Writes all bytes to `path`, which is made or emptied.
+/// @return what failed; some disks tell that they are full only when the file is closed
+inline std::error_code write_bytes(const std::filesystem::path& path, std::string_view bytes) {
+  const auto last_error = [] { return std::error_code(errno, std::generic_category()); };
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return last_error();
+  std::error_code failure;
+  while (!bytes.empty() && !failure) {
+    const ssize_t count = ::write(file, bytes.data(), bytes.size());
+    if (count >= 0)
+      bytes.remove_prefix(static_cast<std::size_t>(count));
+    else if (errno != EINTR)
+      failure = last_error();
+  }
+  if (::close(file) != 0 && !failure) failure = last_error();
+  return failure;
+}
+
+/// Writes the file whole or not at all: the one way by which everything is written.
+/// @throws InputError when that fails
+inline void write_file(const std::filesystem::path& file, std::string_view bytes) {
+  AtomicFile output(file);
+  std::error_code error = write_bytes(output.partial(), bytes);
+  if (!error) output.commit(error);
+  if (error)
+    throw InputError(file.string(), "cannot be written: " + error.message(),
+                     "check the folder's permissions and the disk's free space");
+}
+
 /// Checks before long work that `file` can be written: it is no folder, and its folder exists and may be
 /// written to.
 /// @throws InputError
 inline void check_writable_file(const std::filesystem::path& file) {
   std::error_code error;
+  if (file == "-")
+    throw InputError("-", "does not stand for standard output here", "name a file, or /dev/stdout");
   if (file.filename().empty() || std::filesystem::is_directory(file, error))
     throw InputError(file.string(), "is a folder", "name a file in it");
   const AtomicFile output(file);

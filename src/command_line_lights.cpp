@@ -25,9 +25,11 @@ const CLI::Validator kFactor(
 
 void bind_lights(CLI::App& command, SceneArguments& a) {
   command
-      .add_option("--emitter", a.emitters,
-                  "The spectrum of all emitters, or of those whose material or light is called NAME "
-                  "(\"environment\": that); may be repeated. Luminances stay as the scene has them")
+      .add_option(
+          "--emitter", a.emitters,
+          "The spectrum of all emitters, or of those whose material or light is called NAME "
+          "(\"environment\": that); may be repeated: NAME wins over all, later ones over earlier. NAME may "
+          "hold \"=\": the longest that there is counts. Luminances stay as the scene has them")
       ->type_name("[NAME=]SPECTRUM")
       ->allow_extra_args(false);
   command

@@ -55,10 +55,10 @@ void bind_optimize(CLI::App& app, std::function<int()>& action, int& threads) {
   command
       .add_option(
           "--color-bar", a->color_bar,
-          "Picture of the colours that the sampler sees, below the other samplers': an image, or .svg with "
-          "labels")
+          "Picture of the colours that the sampler sees, below the other samplers': .svg with labels, or an "
+          "image, .exr .hdr .png .jpg")
       ->excludes(compare)
-      ->type_name("FILE.png|.svg");
+      ->type_name("FILE");
   command
       .add_option("--plot", a->plot,
                   "Picture of the spectrum, the densities, and what single paths see before and after")
@@ -67,7 +67,8 @@ void bind_optimize(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_seed(command, a->seed);
   bind_threads(command, threads);
   bind_json(command, a->json);
-  bind_quiet(command, a->quiet);
+  bind_quiet(command, a->quiet,
+             "No progress, no summary; warnings, errors and the table over wavelengths only");
   command.footer(std::string(kSpectrumHelp) +
                  "\n\nExample: photopic optimize cie:FL11 -o fl11.json --color-bar fl11.png"
                  "\nExample: photopic optimize cie:FL11 --compare-wavelengths"

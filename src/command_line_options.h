@@ -25,6 +25,7 @@ inline CLI::Validator one_of(std::vector<std::string> names) {
 inline void bind_seed(CLI::App& command, std::uint32_t& seed) {
   command.add_option("--seed", seed, "Same seed, same bits, whatever the number of threads")
       ->capture_default_str()
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{UINT32_MAX}))
       ->type_name("N");
 }
 
@@ -36,7 +37,8 @@ inline void bind_threads(CLI::App& command, int& threads) {
 }
 
 inline void bind_json(CLI::App& command, std::filesystem::path& json) {
-  command.add_option("--json", json, "Write the result for machines to read")->type_name("FILE");
+  command.add_option("--json", json, "Write the result for machines to read; standard output is /dev/stdout")
+      ->type_name("FILE");
 }
 
 inline void bind_quiet(CLI::App& command, bool& quiet,

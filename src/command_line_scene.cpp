@@ -17,6 +17,9 @@ const CLI::Validator kExposure(
     },
     "-100…100");
 
+const CLI::Validator kNotEmpty(
+    [](std::string& text) { return text.empty() ? std::string("it is empty") : std::string(); }, "");
+
 }  // namespace
 
 void bind_scene_file(CLI::App& command, SceneArguments& a) {
@@ -30,9 +33,11 @@ void bind_scene_file(CLI::App& command, SceneArguments& a) {
       ->type_name("WxH");
   command
       .add_option("--camera", a.camera,
-                  "The camera, by its name or its index in the file; the scene's first if not given. A scene "
-                  "without any is framed")
-      ->type_name("NAME");
+                  "The camera whose name or node's name is NAME, else the N-th in the file, from 0: N, or "
+                  "index:N where a camera is called N. Of several with one name, the first. The scene's "
+                  "first if not given; a scene without any is framed")
+      ->check(kNotEmpty)
+      ->type_name("NAME|N");
 }
 
 void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served) {

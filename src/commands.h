@@ -14,7 +14,7 @@ namespace photopic {
 inline constexpr int kExitDone = 0;
 inline constexpr int kExitBadInput = 1;
 inline constexpr int kExitInternalError = 2;
-inline constexpr int kExitInterrupted = 130;  ///< 128 + SIGINT, as shells have it
+inline constexpr int kExitSignal = 128;  ///< + the signal: see interrupt.h
 
 /// How render and compare load a scene and draw its samples.
 struct SceneArguments {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 #include "commands.h"
 #include "comparison_run.h"
@@ -41,13 +40,16 @@ std::vector<std::filesystem::path> check_outputs(const CompareArguments& argumen
 }
 
 /// As EXR and as PNG.
-void write_pair(const Setting& setting, const std::string& name, const Image& image, const Run& run) {
+void write_pair(const Setting& setting, const std::string& name, const Image& image, const Run& run,
+                OutputAttempts& attempt) {
   for (const char* ending : {".exr", ".png"})
-    write_render(setting.arguments.report / (name + ending), image, setting.arguments.scene,
-                 setting.scene.scene, run);
+    attempt([&] {
+      write_render(setting.arguments.report / (name + ending), image, setting.arguments.scene,
+                   setting.scene.scene, run);
+    });
 }
 
-void write_reference(const Setting& setting, Reference& reference) {
+void write_reference(const Setting& setting, Reference& reference, OutputAttempts& attempt) {
   Run run;
   run.sampler = "optimized";
   run.spp = reference.spp;
@@ -55,22 +57,25 @@ void write_reference(const Setting& setting, Reference& reference) {
   run.wavelengths = setting.wavelengths;
   run.seed = reference_seed(setting);
   run.render_seconds = reference.render_seconds;
-  write_pair(setting, "reference", reference.image, run);
+  write_pair(setting, "reference", reference.image, run, attempt);
   reference.file = (setting.arguments.report / "reference.exr").string();
 }
 
-void write_report(const Setting& setting, const std::vector<Entry>& entries, Comparison& comparison) {
+void write_report(const Setting& setting, const std::vector<Entry>& entries, Comparison& comparison,
+                  OutputAttempts& attempt) {
   const std::filesystem::path& folder = setting.arguments.report;
-  std::filesystem::create_directories(folder);
+  std::error_code ignored;
+  attempt([&] { std::filesystem::create_directories(folder); });
+  if (!std::filesystem::is_directory(folder, ignored)) return;
   std::vector<WavelengthSampler> samplers;
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     const Run& run = comparison.runs[i];
-    write_pair(setting, run.sampler, setting.develop(entries[i].result->film), run);
+    write_pair(setting, run.sampler, setting.develop(entries[i].result->film), run, attempt);
     samplers.push_back(entries[i].chosen.sampler);
   }
-  write_color_bar(folder / "color-bars.png", samplers, scene_emission(setting.scene));
-  if (comparison.reference.spp > 0) write_reference(setting, comparison.reference);
-  write_text_file(folder / "comparison.txt", format_comparison(comparison));
+  attempt([&] { write_color_bar(folder / "color-bars.png", samplers, scene_emission(setting.scene)); });
+  if (comparison.reference.spp > 0) write_reference(setting, comparison.reference, attempt);
+  attempt([&] { write_file(folder / "comparison.txt", format_comparison(comparison)); });
 }
 
 void write_json(const CompareArguments& arguments, const Camera& camera, const Comparison& comparison) {
@@ -94,19 +99,23 @@ int run_compare(const CompareArguments& arguments) {
                         distribution_request(arguments.scene, scene, wavelengths, arguments.white)};
 
   std::vector<Entry> entries = choose_samplers(setting);
+  if (arguments.scene.exposure != 0.0 && arguments.report.empty())
+    print_warning("--exposure has no effect without --report, whose PNG files it is for");
   Comparison comparison = compare(setting, entries);
   if (comparison.runs.empty()) {
     print_warning("interrupted before there was anything to compare");
-    return kExitInterrupted;
+    return interrupted_exit_code();
   }
-  if (!arguments.report.empty()) write_report(setting, entries, comparison);
-  if (!arguments.json.empty()) write_json(arguments, scene.scene.camera, comparison);
-  fmt::print("{}", format_comparison(comparison));
+  OutputAttempts attempt;
+  if (!arguments.report.empty()) write_report(setting, entries, comparison, attempt);
+  if (!arguments.json.empty()) attempt([&] { write_json(arguments, scene.scene.camera, comparison); });
+  print_out(format_comparison(comparison));
   if (arguments.scene.stats)
-    for (const Run& run : comparison.runs) fmt::print("{} means: {}\n", run.sampler, format_means(run));
-  if (!comparison.interrupted) return kExitDone;
+    for (const Run& run : comparison.runs)
+      print_out(fmt::format("{} means: {}\n", run.sampler, format_means(run)));
+  if (!comparison.interrupted) return attempt.exit_code(kExitDone);
   print_warning("interrupted: the table holds the renders that were finished");
-  return kExitInterrupted;
+  return attempt.exit_code(interrupted_exit_code());
 }
 
 }  // namespace photopic

@@ -28,6 +28,13 @@ Reference read_reference(const Setting& setting) {
   return reference;
 }
 
+void warn_of_reference(const std::filesystem::path& file, const std::vector<Entry>& entries) {
+  const Metadata reference = read_metadata(file);
+  for (const Entry& entry : entries)
+    warn_of_shared_noise(reference, entry.name,
+                         {{"sampler", entry.name}, {"seed", std::to_string(entry.seed)}});
+}
+
 /// Two renders of half the samples each, averaged. Their errors are independent and each is √2 times the
 /// average's, so they are about twice the average's error apart: half their mean ΔE estimates it.
 /// @return nothing when interrupted
@@ -140,6 +147,7 @@ Comparison compare(const Setting& setting, std::vector<Entry>& entries) {
   auto reference = setting.arguments.reference.empty()
                        ? render_reference(setting, reference_sampler(setting, entries))
                        : read_reference(setting);
+  if (!setting.arguments.reference.empty()) warn_of_reference(setting.arguments.reference, entries);
   comparison.interrupted = !reference || !render_rounds(setting, entries);
   if (!reference) return comparison;
   comparison.reference = std::move(*reference);

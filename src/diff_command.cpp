@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cstdio>
-
 #include "commands.h"
 #include "core/image_metrics.h"
 #include "output_file.h"
@@ -17,6 +15,7 @@ int run_diff(const DiffArguments& arguments) {
   inputs.push_back(arguments.reference);
   check_no_overwriting({arguments.json}, inputs);
   const Image reference = read_image(arguments.reference);
+  const Metadata metadata = read_metadata(arguments.reference);
 
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
   std::vector<std::vector<std::string>> rows{{"image", "mean ΔE", "median", "p95", "max", "MSE", "relMSE"}};
@@ -24,6 +23,7 @@ int run_diff(const DiffArguments& arguments) {
     const Image image = read_image(file);
     check_same_size(reference, image, file.string());
     const ImageDifference m = compare_images(reference, image, d65_white());
+    warn_of_shared_noise(metadata, file.string(), read_metadata(file));
     if (m.non_finite > 0)
       print_warning(fmt::format("{}: {} pixels are not finite, here or in the reference, and are left out",
                                 file.string(), m.non_finite));
@@ -35,14 +35,15 @@ int run_diff(const DiffArguments& arguments) {
     add_metrics(runs.back(), m);
   }
 
+  OutputAttempts attempt;
   if (!arguments.json.empty()) {
     const nlohmann::ordered_json json = {{"version", PHOTOPIC_VERSION},
                                          {"reference", {{"image", arguments.reference.string()}}},
                                          {"runs", runs}};
-    write_json_file(arguments.json, json);
+    attempt([&] { write_json_file(arguments.json, json); });
   }
-  fmt::print("{}", format_table(rows));
-  return kExitDone;
+  print_out(format_table(rows));
+  return attempt.exit_code(kExitDone);
 }
 
 }  // namespace photopic

@@ -5,10 +5,16 @@
 
 namespace photopic {
 
-/// The text without control characters (line ends, terminals' escapes), which names from files may hold.
+/// The text without control characters (line ends, terminals' escapes), which names from files may hold:
+/// those of ASCII and, as UTF-8 writes them, U+0080 to U+009F.
 inline std::string without_controls(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
+  unsigned char before = 0;
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 32 || byte == 127) c = ' ';
+    if (before == 0xC2 && byte >= 0x80 && byte < 0xA0) *(&c - 1) = c = ' ';
+    before = byte;
+  }
   return text;
 }
 

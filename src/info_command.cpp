@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <utility>
 
 #include "commands.h"
@@ -42,15 +41,12 @@ ReportSection report_warnings(const Scene& scene) {
 }
 
 void print_section(ReportSection section) {
-  fmt::print("{}{}\n", section.key == "file" ? "" : "\n", without_controls(section.title));
+  print_out(fmt::format("{}{}\n", section.key == "file" ? "" : "\n", without_controls(section.title)));
   const std::size_t count = section.rows.size();
   if (count > kMaxRows) section.rows.resize(kMaxRows);
-  for (auto& row : section.rows) {
-    for (std::string& cell : row) cell = without_controls(cell);
-    row.front().insert(0, "  ");
-  }
-  fmt::print("{}", format_columns(section.rows));
-  if (count > kMaxRows) fmt::print("  and {} more; --json has them all\n", count - kMaxRows);
+  for (auto& row : section.rows) row.front().insert(0, "  ");
+  print_out(format_columns(section.rows));
+  if (count > kMaxRows) print_out(fmt::format("  and {} more; --json has them all\n", count - kMaxRows));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
+#include <csignal>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -14,15 +14,12 @@
 #include "command_line.h"
 #include "commands.h"
 #include "error.h"
+#include "interrupt.h"
+#include "messages.h"
 #include "optimize/solver.h"
 
 namespace photopic {
 namespace {
-
-/// An error message is one line, whatever its author wrote.
-void print_error(const std::string& text) {
-  fmt::print(stderr, "photopic: {}\n", without_controls(text));
-}
 
 /// The problem with an option's number of values, where the parser's words tell little; else its words.
 std::string problem_of(const CLI::App& command, const CLI::ParseError& error) {
@@ -70,11 +67,8 @@ int run(int argc, char** argv) {
   return action();
 }
 
-}  // namespace
-}  // namespace photopic
-
-int main(int argc, char** argv) {
-  using namespace photopic;
+/// @return the exit code
+int run_guarded(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const InputError& error) {
@@ -82,7 +76,7 @@ int main(int argc, char** argv) {
     return kExitBadInput;
   } catch (const SearchStopped&) {
     print_error("interrupted while optimising; nothing is written");
-    return kExitInterrupted;
+    return interrupted_exit_code();
   } catch (const std::bad_alloc&) {
     print_error("out of memory; choose a smaller resolution or scene");
     return kExitBadInput;
@@ -92,4 +86,14 @@ int main(int argc, char** argv) {
     print_error("internal error of unknown kind; please report it");
   }
   return kExitInternalError;
+}
+
+}  // namespace
+}  // namespace photopic
+
+int main(int argc, char** argv) {
+  using namespace photopic;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error like a full disk
+  const int code = run_guarded(argc, argv);
+  return check_stdout() || code != kExitDone ? code : kExitBadInput;
 }

@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cctype>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -14,8 +12,8 @@
 #include "core/image_io.h"
 #include "density_plot.h"
 #include "error.h"
-#include "file_ending.h"
 #include "interrupt.h"
+#include "messages.h"
 #include "optimize_report.h"
 #include "optimize_run.h"
 #include "output_file.h"
@@ -54,21 +52,20 @@ std::pair<std::string, double> parse_lamp(const std::string& text) {
   return {text.substr(0, star), power};
 }
 
-/// Whether the color bar is asked for with labels.
-bool is_svg(const std::filesystem::path& file) {
-  return lower_case_ending(file) == ".svg";
+void check_color_bar(const std::filesystem::path& file) {
+  if (is_svg(file)) return check_writable_plot(file);
+  if (!is_image(file))
+    throw InputError(file.string(), "the ending is not one of .svg, .exr, .hdr, .png, .jpg",
+                     "name the color bar so");
+  check_writable_image(file);
 }
 
 void check_outputs(const OptimizeArguments& arguments) {
   if (arguments.output.empty() && !arguments.compare_wavelengths)
     throw InputError("--output", "is missing", "name a file for the densities; see photopic optimize --help");
   if (!arguments.output.empty()) check_writable_file(arguments.output);
-  if (is_svg(arguments.color_bar)) {
-    check_writable_file(arguments.color_bar);
-  } else if (!arguments.color_bar.empty()) {
-    check_writable_image(arguments.color_bar);
-  }
-  if (!arguments.plot.empty()) check_writable_file(arguments.plot);
+  if (!arguments.color_bar.empty()) check_color_bar(arguments.color_bar);
+  if (!arguments.plot.empty()) check_writable_plot(arguments.plot);
   if (!arguments.json.empty()) check_writable_file(arguments.json);
   std::vector<std::filesystem::path> inputs{arguments.reflectances};
   for (const std::string& text : arguments.spectra) inputs.push_back(parse_lamp(text).first);
@@ -99,8 +96,9 @@ OptimizeOptions read_options(const OptimizeArguments& arguments) {
 }
 
 void print_result(const WavelengthDistribution& d, const std::vector<SamplerRow>& samplers, double seconds) {
-  fmt::print("{}", sampler_table(samplers, d.objective));
-  fmt::print("{}, {} wavelengths, {:.2f} s\n", d.spectrum, d.components.size(), seconds);
+  print_out(sampler_table(samplers, d.objective));
+  print_out(fmt::format("{}, {} wavelengths, {:.2f} s\n", without_controls(d.spectrum), d.components.size(),
+                        seconds));
 }
 
 void write_json(const OptimizeArguments& arguments, const OptimizeResult& result,
@@ -139,7 +137,7 @@ void draw_color_bar(const OptimizeArguments& arguments, const WavelengthDistribu
                                                 IlluminantWavelengths{count, base_density(light)},
                                                 OptimizedWavelengths(distribution)};
   if (is_svg(arguments.color_bar)) {
-    write_text_file(arguments.color_bar, color_bar_plot(distribution.spectrum, samplers, light));
+    write_file(arguments.color_bar, color_bar_plot(distribution.spectrum, samplers, light));
   } else {
     write_color_bar(arguments.color_bar, samplers, light);
   }
@@ -153,16 +151,14 @@ int run_comparison(const OptimizeArguments& arguments, const std::vector<Tabulat
                                   arguments.quiet);
   };
   const std::vector<WavelengthRow> rows = compare_wavelength_counts(lamps, options, optimize);
-  if (!arguments.json.empty())
-    write_json_file(arguments.json, {{"version", PHOTOPIC_VERSION},
-                                     {"spectrum", names},
-                                     {"objective", arguments.objective},
-                                     {"effort", arguments.effort},
-                                     {"white", arguments.white},
-                                     {"seed", arguments.seed},
-                                     {"wavelengths", wavelengths_json(rows)}});
-  if (!arguments.quiet) fmt::print("{}{}\n", wavelength_table(rows), names);
-  return kExitDone;
+  const nlohmann::ordered_json json = {
+      {"version", PHOTOPIC_VERSION},          {"spectrum", names},        {"objective", arguments.objective},
+      {"effort", arguments.effort},           {"white", arguments.white}, {"seed", arguments.seed},
+      {"wavelengths", wavelengths_json(rows)}};
+  OutputAttempts attempt;
+  if (!arguments.json.empty()) attempt([&] { write_json_file(arguments.json, json); });
+  print_out(fmt::format("{}{}\n", wavelength_table(rows), without_controls(names)));
+  return attempt.exit_code(kExitDone);
 }
 
 }  // namespace
@@ -176,16 +172,17 @@ int run_optimize(const OptimizeArguments& arguments) {
 
   OptimizeResult made = optimize_with_progress(lamps, lamp_names(arguments), options, arguments.quiet);
   made.distribution.targets.measured_file = arguments.reflectances.string();
-  write_distribution(arguments.output, made.distribution);
+  OutputAttempts attempt;
+  attempt([&] { write_distribution(arguments.output, made.distribution); });
   const TabulatedSpectrum light = mixed_light(lamps);
-  if (!arguments.color_bar.empty()) draw_color_bar(arguments, made.distribution, light);
+  if (!arguments.color_bar.empty()) attempt([&] { draw_color_bar(arguments, made.distribution, light); });
   if (!arguments.plot.empty())
-    write_text_file(arguments.plot, density_plot(made.initial, made.distribution, light));
-  if (arguments.json.empty() && arguments.quiet) return kExitDone;
+    attempt([&] { write_file(arguments.plot, density_plot(made.initial, made.distribution, light)); });
+  if (arguments.json.empty() && arguments.quiet) return attempt.exit_code(kExitDone);
   const std::vector<SamplerRow> samplers = measure_samplers(made.distribution, light, options.white);
-  if (!arguments.json.empty()) write_json(arguments, made, samplers);
+  if (!arguments.json.empty()) attempt([&] { write_json(arguments, made, samplers); });
   if (!arguments.quiet) print_result(made.distribution, samplers, made.seconds);
-  return kExitDone;
+  return attempt.exit_code(kExitDone);
 }
 
 }  // namespace photopic

@@ -1,9 +1,11 @@
 #include "output_file.h"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "commands.h"
 #include "error.h"
+#include "file_ending.h"
+#include "messages.h"
 
 namespace photopic {
 namespace {
@@ -29,6 +31,15 @@ void check_writable_folder(const fs::path& folder) {
   check_writable_file(folder.has_filename() ? folder : folder.parent_path());
 }
 
+bool is_svg(const fs::path& file) {
+  return lower_case_ending(file) == ".svg";
+}
+
+void check_writable_plot(const fs::path& file) {
+  if (!is_svg(file)) throw InputError(file.string(), "the ending is not .svg", "name the plot so");
+  check_writable_file(file);
+}
+
 void check_no_overwriting(const std::vector<fs::path>& outputs, const std::vector<fs::path>& inputs) {
   std::error_code error;
   for (auto output = outputs.begin(); output != outputs.end(); ++output) {
@@ -43,20 +54,24 @@ void check_no_overwriting(const std::vector<fs::path>& outputs, const std::vecto
   }
 }
 
-void write_text_file(const fs::path& file, std::string_view text) {
-  AtomicFile output(file);
-  std::ofstream stream(output.partial(), std::ios::binary);
-  stream << text;
-  stream.close();
-  std::error_code error;
-  if (stream) output.commit(error);
-  if (!stream || error)
-    throw InputError(file.string(), "cannot be written",
-                     "check the folder's permissions and the disk's free space");
+void write_json_file(const fs::path& file, const nlohmann::ordered_json& json) {
+  write_file(file, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-void write_json_file(const fs::path& file, const nlohmann::ordered_json& json) {
-  write_text_file(file, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+void OutputAttempts::operator()(const std::function<void()>& write) {
+  try {
+    return write();
+  } catch (const InputError& error) {
+    print_error(error.what());
+  } catch (const fs::filesystem_error& error) {
+    print_error(error.path1().string() + ": cannot be written: " + error.code().message() +
+                "; choose another folder");
+  }
+  failed_ = true;
+}
+
+int OutputAttempts::exit_code(int otherwise) const {
+  return failed_ ? kExitBadInput : otherwise;
 }
 
 }  // namespace photopic

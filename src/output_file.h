@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
-#include <string_view>
 #include <vector>
 
 #include "atomic_file.h"
@@ -13,17 +13,32 @@ namespace photopic {
 /// @throws InputError
 void check_writable_folder(const std::filesystem::path& folder);
 
+/// Whether the ending is .svg in either case.
+bool is_svg(const std::filesystem::path& file);
+
+/// Checks that `file` can be written, and that its ending says what it will be: an SVG drawing.
+/// @throws InputError
+void check_writable_plot(const std::filesystem::path& file);
+
 /// Checks that no output would take the place of an input or of another output, under whatever name. Empty
 /// paths stand for what was not asked for; inputs that are no files ("cie:A") may be among them.
 /// @throws InputError
 void check_no_overwriting(const std::vector<std::filesystem::path>& outputs,
                           const std::vector<std::filesystem::path>& inputs);
 
-/// Writes the file whole or not at all.
+/// Writes the file whole or not at all; bytes that are no UTF-8, of file names, become U+FFFD.
 /// @throws InputError when that fails
-void write_text_file(const std::filesystem::path& file, std::string_view text);
-
-/// The same; bytes that are no UTF-8, of file names, become U+FFFD.
 void write_json_file(const std::filesystem::path& file, const nlohmann::ordered_json& json);
+
+/// Writes the results of long work one by one: what fails is told on stderr at once, and the others are
+/// written all the same.
+class OutputAttempts {
+ public:
+  void operator()(const std::function<void()>& write);
+  int exit_code(int otherwise) const;  ///< that of a failure if there was one
+
+ private:
+  bool failed_ = false;
+};
 
 }  // namespace photopic

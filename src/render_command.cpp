@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <utility>
 
 #include "commands.h"
 #include "error.h"
@@ -37,6 +37,14 @@ std::vector<std::filesystem::path> check_outputs(const RenderArguments& argument
   return outputs;
 }
 
+void warn_of_idle_options(const RenderArguments& arguments) {
+  if (arguments.scene.exposure != 0.0 && std::ranges::all_of(arguments.outputs, is_float_image))
+    print_warning("--exposure has no effect: no output is a .png or .jpg");
+  if (!arguments.white_balance.empty() && arguments.color == "xyz" &&
+      std::ranges::all_of(arguments.outputs, can_hold_xyz))
+    print_warning("--white-balance has no effect: --color xyz is without it");
+}
+
 void write_json(const RenderArguments& arguments, const Scene& scene, const Run& run,
                 const PhaseTimes& times) {
   nlohmann::ordered_json json = run_json(run);
@@ -58,45 +66,51 @@ void write_json(const RenderArguments& arguments, const Scene& scene, const Run&
   write_json_file(arguments.json, json);
 }
 
-void print_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
+std::string format_stats(const Scene& scene, const Run& run, const PhaseTimes& times) {
+  std::string text;
+  const auto add = [&]<typename... T>(fmt::format_string<T...> format, T&&... values) {
+    text += fmt::format(format, std::forward<T>(values)...);
+  };
   const double paths = static_cast<double>(run.stats.paths);
-  fmt::print("scene:    {} triangles, {} shapes, {} materials; lamps: {}\n", scene.geometry.triangles.size(),
-             scene.geometry.shapes.size(), scene.materials.size(), fmt::join(scene.emission_names, ", "));
-  fmt::print("samples:  {}, {:.4g} a pixel, of {} wavelengths each; {} not finite\n", run.stats.paths,
-             run.mean_spp, run.wavelengths, format_non_finite(run.stats));
+  add("scene:    {} triangles, {} shapes, {} materials; lamps: {}\n", scene.geometry.triangles.size(),
+      scene.geometry.shapes.size(), scene.materials.size(),
+      without_controls(fmt::format("{}", fmt::join(scene.emission_names, ", "))));
+  add("samples:  {}, {:.4g} a pixel, of {} wavelengths each; {} not finite\n", run.stats.paths, run.mean_spp,
+      run.wavelengths, format_non_finite(run.stats));
   if (run.stats.expected_delta_e)
-    fmt::print("error:    a mean ΔE of {:.3g} is expected\n", *run.stats.expected_delta_e);
+    add("error:    a mean ΔE of {:.3g} is expected\n", *run.stats.expected_delta_e);
   if (run.stats.split_paths > 0)
-    fmt::print("dispersion: {:.2f} % of the samples went on with one wavelength\n",
-               100.0 * static_cast<double>(run.stats.split_paths) / paths);
+    add("dispersion: {:.2f} % of the samples went on with one wavelength\n",
+        100.0 * static_cast<double>(run.stats.split_paths) / paths);
   if (run.stats.media_overflows > 0)
-    fmt::print("media:    {} paths met more than 8 glasses at once; the outermost were forgotten\n",
-               run.stats.media_overflows);
+    add("media:    {} paths met more than 8 glasses at once; the outermost were forgotten\n",
+        run.stats.media_overflows);
   if (run.stats.media_slips > 0)
-    fmt::print("media:    {:.2g} % of the samples left a glass that they had not entered{}\n",
-               100.0 * static_cast<double>(run.stats.media_slips) / paths,
-               1000 * run.stats.media_slips > run.stats.paths ? ": is its mesh closed?" : ", past an edge");
-  fmt::print("rays:     {:.2f} + {:.2f} shadow rays a sample\n", static_cast<double>(run.stats.rays) / paths,
-             static_cast<double>(run.stats.shadow_rays) / paths);
-  fmt::print("speed:    {:.3f} M samples/s, {:.3f} M rays/s\n", run.samples_per_second() * 1e-6,
-             run.rays_per_second() * 1e-6);
-  fmt::print("seconds:  load {:.3f}, prepare {:.3f}, optimise {:.3f}, render {:.3f}, write {:.3f}\n",
-             times.load, times.prepare, times.optimize, run.render_seconds, times.write);
-  fmt::print("means:    {}\n", format_means(run));
+    add("media:    {:.2g} % of the samples left a glass that they had not entered{}\n",
+        100.0 * static_cast<double>(run.stats.media_slips) / paths,
+        1000 * run.stats.media_slips > run.stats.paths ? ": is its mesh closed?" : ", past an edge");
+  add("rays:     {:.2f} + {:.2f} shadow rays a sample\n", static_cast<double>(run.stats.rays) / paths,
+      static_cast<double>(run.stats.shadow_rays) / paths);
+  add("speed:    {:.3f} M samples/s, {:.3f} M rays/s\n", run.samples_per_second() * 1e-6,
+      run.rays_per_second() * 1e-6);
+  add("seconds:  load {:.3f}, prepare {:.3f}, optimise {:.3f}, render {:.3f}, write {:.3f}\n", times.load,
+      times.prepare, times.optimize, run.render_seconds, times.write);
+  add("means:    {}\n", format_means(run));
+  return text;
 }
 
 void write_images(const RenderArguments& arguments, const Film& film, const ChromaticAdaptation& adaptation,
-                  const Scene& scene, const Run& run) {
+                  const Scene& scene, const Run& run, OutputAttempts& attempt) {
   const Image srgb = film.to_linear_srgb(adaptation);
   for (const auto& output : arguments.outputs) {
     const bool xyz = arguments.color == "xyz" && can_hold_xyz(output);
-    write_render(output, xyz ? film.to_xyz() : srgb, arguments.scene, scene, run);
+    attempt([&] { write_render(output, xyz ? film.to_xyz() : srgb, arguments.scene, scene, run); });
   }
 }
 
 int interrupted_early() {
   print_warning("interrupted before the first sample: nothing is written");
-  return kExitInterrupted;
+  return interrupted_exit_code();
 }
 
 }  // namespace
@@ -108,6 +122,7 @@ int run_render(const RenderArguments& arguments) {
   if (!options.distribution.empty() && arguments.sampler != "optimized")
     throw InputError("--distribution", "is for the optimised sampler alone",
                      "leave it out or use --sampler optimized");
+  warn_of_idle_options(arguments);
   const int wavelengths = choose_wavelength_count(options.wavelengths, options.distribution);
 
   PhaseTimes times;
@@ -135,18 +150,19 @@ int run_render(const RenderArguments& arguments) {
   run.optimize_seconds = chosen.optimize_seconds;
   run.image = arguments.outputs.front().string();
   const Stopwatch write_watch;
-  write_images(arguments, result.film, adaptation, scene.scene, run);
+  OutputAttempts attempt;
+  write_images(arguments, result.film, adaptation, scene.scene, run, attempt);
   times.write = write_watch.seconds();
 
-  if (!arguments.json.empty()) write_json(arguments, scene.scene, run, times);
+  if (!arguments.json.empty()) attempt([&] { write_json(arguments, scene.scene, run, times); });
   if (options.stats)
-    print_stats(scene.scene, run, times);
+    print_out(format_stats(scene.scene, run, times));
   else if (run.stats.expected_delta_e && !options.quiet)
-    fmt::print("a mean ΔE of {:.3g} is expected, after {:.4g} samples a pixel\n", *run.stats.expected_delta_e,
-               run.mean_spp);
-  if (!result.stats.stopped) return kExitDone;
+    print_out(fmt::format("a mean ΔE of {:.3g} is expected, after {:.4g} samples a pixel\n",
+                          *run.stats.expected_delta_e, run.mean_spp));
+  if (!result.stats.stopped) return attempt.exit_code(kExitDone);
   print_warning("interrupted: the image holds the samples done so far");
-  return kExitInterrupted;
+  return attempt.exit_code(interrupted_exit_code());
 }
 
 }  // namespace photopic

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "error.h"
+#include "messages.h"
 
 namespace photopic {
 namespace {
@@ -123,6 +124,18 @@ void check_same_size(const Image& reference, const Image& image, const std::stri
       name,
       fmt::format("is {}x{} pixels, not {}x{}", image.width, image.height, reference.width, reference.height),
       "give images of one size");
+}
+
+void warn_of_shared_noise(const Metadata& reference, const std::string& name, const Metadata& image) {
+  const auto shares = [&](const char* key) {
+    const auto a = reference.find(key), b = image.find(key);
+    return a != reference.end() && b != image.end() && a->second == b->second;
+  };
+  if (shares("seed") && shares("sampler"))
+    print_warning(fmt::format(
+        "{}: has the reference's sampler and seed ({}), and with them its noise: its error comes out too "
+        "small; render one with another --seed",
+        name, reference.at("seed")));
 }
 
 double median(std::vector<double> values) {

@@ -63,6 +63,10 @@ std::optional<Agreement> channel_agreement(const std::vector<Run>& runs);
 /// @throws InputError when `image` (called `name`) has another size than the reference
 void check_same_size(const Image& reference, const Image& image, const std::string& name);
 
+/// Warns of an image whose seed and sampler are those that the reference's metadata tell of: errors would
+/// come out too small. Metadata that do not tell are taken for others'.
+void warn_of_shared_noise(const Metadata& reference, const std::string& name, const Metadata& image);
+
 /// @param values at least one
 double median(std::vector<double> values);
 

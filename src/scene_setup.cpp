@@ -20,6 +20,9 @@ EmitterOverride parse_emitter(const std::string& text) {
   const std::size_t equals = text.find('=');
   std::error_code error;
   if (equals == std::string::npos || std::filesystem::is_regular_file(text, error)) return {"", text};
+  if (equals == 0)
+    throw InputError("--emitter " + text, "the name before \"=\" is empty",
+                     "write NAME=SPECTRUM, or SPECTRUM alone for all emitters");
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
@@ -47,12 +50,12 @@ void parse_resolution(std::string_view text, GltfOptions& options) {
 
 std::vector<std::filesystem::path> input_files(const SceneArguments& arguments) {
   std::vector<std::filesystem::path> files{arguments.scene, arguments.distribution, arguments.environment};
-  for (const std::string& text : arguments.emitters) files.push_back(parse_emitter(text).text);
+  for (const std::string& text : arguments.emitters) {
+    files.emplace_back(text);
+    for (std::size_t at = text.find('='); at != text.npos; at = text.find('=', at + 1))
+      files.emplace_back(text.substr(at + 1));  // names, too, may hold "="
+  }
   return files;
-}
-
-void print_warning(const std::string& text) {
-  fmt::print(stderr, "warning: {}\n", without_controls(text));
 }
 
 GltfOptions gltf_options(const SceneArguments& arguments) {
@@ -71,6 +74,7 @@ Scene load_scene(const SceneArguments& arguments, const std::vector<std::filesys
   Scene scene = load_gltf(arguments.scene, gltf_options(arguments));
   check_no_overwriting(outputs, scene.files);
   for (const std::string& warning : scene.warnings) print_warning(warning);
+  for (const auto& output : outputs) check_image_size(output, scene.camera.width, scene.camera.height);
   return scene;
 }
 

@@ -5,12 +5,10 @@
 #include "commands.h"
 #include "core/gltf_loader.h"
 #include "integrator/integrator.h"
+#include "messages.h"
 #include "run_report.h"
 
 namespace photopic {
-
-/// One line on stderr, `warning: …`.
-void print_warning(const std::string& text);
 
 /// What the arguments name to be read: the scene, the distribution, the emitters' spectra. Some may be empty
 /// or no files.

@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "commands.h"
 #include "error.h"
+#include "messages.h"
 #include "output_file.h"
 #include "spectral/lamp_description.h"
 #include "spectral/spectrum_file.h"
@@ -53,26 +54,27 @@ std::string table_text(const GivenTable& given) {
   return fmt::format("{:g} to {:g} nm, {} samples", given.first, given.last, given.samples);
 }
 
-void print_lamp(const std::string& name, const GivenTable& given, const LampDescription& lamp) {
-  fmt::print("{}\n", name);
-  fmt::print("  given         {}\n", table_text(given));
-  fmt::print("  chromaticity  x {:.4f}, y {:.4f} (CIE 1931)\n", lamp.chromaticity.x, lamp.chromaticity.y);
-  fmt::print("  temperature   {}\n", temperature_text(lamp));
-  fmt::print("  efficacy      {:.1f} lm/W (of the radiation from 360 to 830 nm)\n", lamp.efficacy);
-  fmt::print("  luminance     90 % from {:.1f} to {:.1f} nm\n", lamp.luminance_from, lamp.luminance_to);
-  fmt::print("  peak          {}\n", lamp.peak ? fmt::format("{:.1f} nm", *lamp.peak) : "none: flat");
-  if (lamp.lines.empty()) {
-    fmt::print("  lines         none\n");
-    return;
-  }
-  fmt::print("  lines         {}, with {:.1f} % of the luminance\n\n", lamp.lines.size(),
-             100.0 * share_of_lines(lamp));
+std::string format_lamp(const std::string& name, const GivenTable& given, const LampDescription& lamp) {
+  std::string text;
+  const auto add = [&]<typename... T>(fmt::format_string<T...> format, T&&... values) {
+    text += fmt::format(format, std::forward<T>(values)...);
+  };
+  add("{}\n", without_controls(name));
+  add("  given         {}\n", table_text(given));
+  add("  chromaticity  x {:.4f}, y {:.4f} (CIE 1931)\n", lamp.chromaticity.x, lamp.chromaticity.y);
+  add("  temperature   {}\n", temperature_text(lamp));
+  add("  efficacy      {:.1f} lm/W (of the radiation from 360 to 830 nm)\n", lamp.efficacy);
+  add("  luminance     90 % from {:.1f} to {:.1f} nm\n", lamp.luminance_from, lamp.luminance_to);
+  add("  peak          {}\n", lamp.peak ? fmt::format("{:.1f} nm", *lamp.peak) : "none: flat");
+  if (lamp.lines.empty()) return text + "  lines         none\n";
+  add("  lines         {}, with {:.1f} % of the luminance\n\n", lamp.lines.size(),
+      100.0 * share_of_lines(lamp));
   std::vector<std::vector<std::string>> rows{{"line [nm]", "width [nm]", "power [%]", "luminance [%]"}};
   for (const EmissionLine& line : lamp.lines)
     rows.push_back({fmt::format("{:.2f}", line.wavelength), fmt::format("{:.3g}", line.fwhm),
                     fmt::format("{:.2f}", 100.0 * line.power_share),
                     fmt::format("{:.2f}", 100.0 * line.luminance_share)});
-  fmt::print("{}", format_table(rows));
+  return text + format_table(rows);
 }
 
 /// Temperature and peak are null where they mean nothing.
@@ -106,11 +108,12 @@ nlohmann::ordered_json lamp_json(const std::string& name, const GivenTable& give
 }  // namespace
 
 int run_spectrum(const SpectrumArguments& arguments) {
-  if (!arguments.plot.empty()) check_writable_file(arguments.plot);
+  if (!arguments.plot.empty()) check_writable_plot(arguments.plot);
   if (!arguments.json.empty()) check_writable_file(arguments.json);
   check_no_overwriting({arguments.plot, arguments.json}, {arguments.spectrum});
   const std::string& name = arguments.spectrum;
   const Spectrum spectrum = parse_spectrum(name, ".", Beyond::zero);
+  OutputAttempts attempt;
   try {
     const TabulatedSpectrum emission = tabulate_emission(spectrum);
     const LampDescription lamp = describe_lamp(emission);
@@ -119,15 +122,15 @@ int run_spectrum(const SpectrumArguments& arguments) {
       const std::string colors =
           fmt::format("x {:.4f}, y {:.4f}; correlated colour temperature {}", lamp.chromaticity.x,
                       lamp.chromaticity.y, temperature_text(lamp));
-      write_text_file(arguments.plot, spectrum_plot(emission, lamp, name, colors));
+      attempt([&] { write_file(arguments.plot, spectrum_plot(emission, lamp, name, colors)); });
     }
     if (!arguments.json.empty())
-      write_json_file(arguments.json, lamp_json(name, given, lamp, digest(emission)));
-    if (!arguments.quiet) print_lamp(name, given, lamp);
+      attempt([&] { write_json_file(arguments.json, lamp_json(name, given, lamp, digest(emission))); });
+    if (!arguments.quiet) print_out(format_lamp(name, given, lamp));
   } catch (const std::invalid_argument& problem) {
     throw InputError(name, problem.what(), "give the spectrum of a lamp");
   }
-  return kExitDone;
+  return attempt.exit_code(kExitDone);
 }
 
 }  // namespace photopic

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "error.h"
+
 namespace photopic {
 namespace {
 
@@ -22,9 +24,17 @@ std::vector<std::size_t> column_widths(const std::vector<std::vector<std::string
   return widths;
 }
 
+/// A line's end or an escape in a name would break the table.
+std::vector<std::vector<std::string>> cleaned(std::vector<std::vector<std::string>> rows) {
+  for (auto& row : rows)
+    for (std::string& cell : row) cell = without_controls(std::move(cell));
+  return rows;
+}
+
 }  // namespace
 
-std::string format_table(const std::vector<std::vector<std::string>>& rows) {
+std::string format_table(const std::vector<std::vector<std::string>>& cells) {
+  const auto rows = cleaned(cells);
   const std::vector<std::size_t> widths = column_widths(rows);
   std::string table;
   for (const auto& row : rows) {
@@ -37,7 +47,8 @@ std::string format_table(const std::vector<std::vector<std::string>>& rows) {
   return table;
 }
 
-std::string format_columns(const std::vector<std::vector<std::string>>& rows) {
+std::string format_columns(const std::vector<std::vector<std::string>>& cells) {
+  const auto rows = cleaned(cells);
   const std::vector<std::size_t> widths = column_widths(rows);
   std::string table;
   for (const auto& row : rows) {

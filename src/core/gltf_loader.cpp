@@ -16,6 +16,7 @@
 #include "core/gltf/nodes.h"
 #include "core/gltf/rules.h"
 #include "core/gltf/solid_glass.h"
+#include "core/gltf/stray_extras.h"
 #include "core/gltf/texture.h"
 #include "error.h"
 
@@ -53,6 +54,7 @@ Scene read_scene(const GltfDocument& document, const GltfOptions& options) {
   scene.files = document.named_files;
   const std::vector<NodeInstance> instances = walk_nodes(document, scene.warnings);
   warn_of_ignored(document, scene.warnings);
+  warn_of_stray_extras(document, scene.warnings);
   load_gltf_materials(document, scene);
   if (options.solid_glass) make_closed_glass_solid(document, instances, scene);
   load_gltf_geometry(document, instances, scene);

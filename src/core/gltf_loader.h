@@ -18,8 +18,8 @@ struct EmitterOverride {
 
 struct GltfOptions {
   std::vector<EmitterOverride> emitters{};  ///< later ones win; a NAME wins over an empty name
-  std::string camera{};       ///< name of a camera or its node, else its index; empty: the first in the scene
-  int width = 0, height = 0;  ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
+  std::string camera{};  ///< name of a camera or its node, else "N" or "index:N"; empty: the scene's first
+  int width = 0, height = 0;    ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
   double punctual_scale = 1.0;  ///< factor on the intensities of KHR_lights_punctual
   EnvironmentOptions environment{};
   bool solid_glass = false;       ///< transmission of closed meshes refracts, KHR_materials_volume or not

@@ -1,5 +1,6 @@
 #include "core/image_io.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
@@ -7,7 +8,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
+#include <new>
+#include <string_view>
 
 #include "atomic_file.h"
 #include "core/quiet_stderr.h"
@@ -19,6 +24,7 @@ namespace photopic {
 namespace {
 
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
+constexpr int kMaxJpegSide = 65500;  // libjpeg's JPEG_MAX_DIMENSION; beyond it the library ends the process
 
 enum class Encoding { unknown, linear, srgb };
 
@@ -80,14 +86,44 @@ OIIO::ImageSpec make_spec(const Image& image, bool linear, const Metadata& metad
   return spec;
 }
 
-void write_now(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
-               double exposure_ev) {
+/// A file in memory. libjpeg writes to a FILE alone.
+class MemoryFile {
+ public:
+  MemoryFile() : stream_(::open_memstream(&data_, &size_)) {
+    if (!stream_) throw std::bad_alloc();
+  }
+  ~MemoryFile() {
+    std::fclose(stream_);
+    std::free(data_);
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  FILE* stream() const { return stream_; }
+  /// What was written, until more is.
+  std::string_view bytes() const {
+    if (std::fflush(stream_) != 0) throw std::bad_alloc();
+    return {data_, size_};
+  }
+
+ private:
+  char* data_ = nullptr;
+  std::size_t size_ = 0;
+  FILE* stream_;
+};
+
+/// The file's bytes. They go to memory, since of the libraries that would write them libpng does not tell of
+/// a full disk, and libjpeg ends the process.
+/// @param file its ending is the format, its name is for messages
+void encode_file(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
+                 double exposure_ev, MemoryFile& memory) {
   const auto fail = [&](const std::string& why) {
-    throw InputError(file.string(), "cannot be written: " + reason(why),
-                     "check the folder and its free space");
+    throw InputError(file.string(), "cannot be written: " + reason(why), "choose another kind of file");
   };
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(file.string());
   if (!output) fail(OIIO::geterror());
+  OIIO::Filesystem::IOFile stream(memory.stream(), OIIO::Filesystem::IOProxy::Write);
+  if (!output->set_ioproxy(&stream)) fail("it cannot be made in memory");
   const bool linear = encoding_of(file) == Encoding::linear;
   if (!output->open(file.string(), make_spec(image, linear, metadata))) fail(output->geterror());
   const bool written = linear ? output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data())
@@ -104,11 +140,24 @@ int find_channels(const OIIO::ImageSpec& spec, const std::array<std::string, 3>&
 
 }  // namespace
 
+bool is_image(const std::filesystem::path& file) {
+  return encoding_of(file) != Encoding::unknown;
+}
+
 void check_writable_image(const std::filesystem::path& file) {
-  if (encoding_of(file) == Encoding::unknown) {
+  if (!is_image(file)) {
     throw InputError(file.string(), "the ending is not one of .exr, .hdr, .png, .jpg", "name the image so");
   }
   check_writable_file(file);
+}
+
+void check_image_size(const std::filesystem::path& file, int width, int height) {
+  const std::string ending = lower_case_ending(file);
+  if ((ending != ".jpg" && ending != ".jpeg") || std::max(width, height) <= kMaxJpegSide) return;
+  throw InputError(
+      file.string(),
+      fmt::format("a JPEG holds at most {} pixels a side, not {}x{}", kMaxJpegSide, width, height),
+      "choose a smaller --resolution, or .png");
 }
 
 bool is_float_image(const std::filesystem::path& file) {
@@ -122,12 +171,22 @@ bool can_hold_xyz(const std::filesystem::path& file) {
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
                  double exposure_ev) {
   check_writable_image(file);
-  AtomicFile output(file);
+  check_image_size(file, image.width, image.height);
   const bool convert = image.space == ColorSpace::xyz && !can_hold_xyz(file);
-  write_now(output.partial(), convert ? to_linear_srgb(image) : image, metadata, exposure_ev);
-  std::error_code error;
-  output.commit(error);
-  if (error) throw InputError(file.string(), "cannot be written: " + error.message(), "choose another name");
+  MemoryFile memory;
+  encode_file(file, convert ? to_linear_srgb(image) : image, metadata, exposure_ev, memory);
+  write_file(file, memory.bytes());
+}
+
+Metadata read_metadata(const std::filesystem::path& file) {
+  const QuietStderr quiet;
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string());
+  static_cast<void>(OIIO::geterror());
+  Metadata metadata;
+  if (!input) return metadata;
+  for (const OIIO::ParamValue& attribute : input->spec().extra_attribs)
+    if (attribute.type() == OIIO::TypeString) metadata[attribute.name().string()] = attribute.get_string();
+  return metadata;
 }
 
 Image read_image(const std::filesystem::path& file) {

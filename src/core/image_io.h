@@ -43,6 +43,9 @@ using Metadata = std::map<std::string, std::string>;
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata = {},
                  double exposure_ev = 0.0);
 
+/// What write_image was given as metadata, other texts with it; nothing where there is no such image.
+Metadata read_metadata(const std::filesystem::path& file);
+
 /// Reads an image as linear sRGB: channels R, G, B, or X, Y, Z, or else the first three; 8-bit files are
 /// sRGB-decoded.
 /// @throws InputError when there is no such file, it is no image, or it is absurdly large
@@ -51,6 +54,13 @@ Image read_image(const std::filesystem::path& file);
 /// Checks before a long render that `file` can be written: its folder exists and its ending is known.
 /// @throws InputError
 void check_writable_image(const std::filesystem::path& file);
+
+/// Checks before a long render that a file of this ending can hold so many pixels.
+/// @throws InputError
+void check_image_size(const std::filesystem::path& file, int width, int height);
+
+/// Whether the ending is one that write_image knows.
+bool is_image(const std::filesystem::path& file);
 
 /// Whether the ending is .exr in either case: alone it names its channels.
 bool can_hold_xyz(const std::filesystem::path& file);

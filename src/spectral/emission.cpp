@@ -82,6 +82,16 @@ void check_emission(const Spectrum& spectrum) {
   }
 }
 
+/// A lamp's scale means nothing, but sums and squares of such values would overflow or vanish.
+TabulatedSpectrum without_extremes(TabulatedSpectrum table) {
+  const double largest = *std::ranges::max_element(table.value());
+  if (largest == 0.0 || (largest < 1e100 && largest > 1e-100)) return table;
+  std::vector<double> value(table.value().begin(), table.value().end());
+  const int exponent = std::ilogb(largest);
+  for (double& v : value) v = std::scalbn(v, -exponent);
+  return {{table.lambda().begin(), table.lambda().end()}, std::move(value), Beyond::zero};
+}
+
 }  // namespace
 
 TabulatedSpectrum tabulate_emission(const Spectrum& emission) {
@@ -89,9 +99,9 @@ TabulatedSpectrum tabulate_emission(const Spectrum& emission) {
   const Spectrum spectrum = line_as_table(emission);
   std::vector<double> knots;
   add_knots(knots, spectrum);
-  return tabulate(
+  return without_extremes(tabulate(
       knots_in_range(std::move(knots)), [&](double x) { return limit_from_left(spectrum, x); },
-      [&](double x) { return limit_from_right(spectrum, x); });
+      [&](double x) { return limit_from_right(spectrum, x); }));
 }
 
 TabulatedSpectrum mix_emissions(std::span<const TabulatedSpectrum> emissions,

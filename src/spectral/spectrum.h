@@ -70,7 +70,8 @@ double evaluate(const Spectrum& spectrum, double lambda);
 /// The lamp as the renderer and the optimiser know it: piecewise linear, first knot 360 nm, last 830 nm, zero
 /// outside. Tables and lines keep their knots (cut at the ends of the range; where a table begins or ends
 /// inside it, a jump to zero); smooth spectra are tabulated every nm. All zero where the lamp gives no power
-/// in the range: callers check.
+/// in the range: callers check. Its scale is the lamp's, but where that is beyond 1e±100 the largest is 1
+/// to 2.
 /// @throws std::invalid_argument when a value is negative or not finite, or a line has no width
 TabulatedSpectrum tabulate_emission(const Spectrum& spectrum);
 

@@ -96,7 +96,12 @@ Spectrum parse_spectrum(std::string_view text, const std::filesystem::path& fold
   if (const auto name = after(text, "cie:")) return parse_illuminant(text, *name);
   if (const auto kelvin = after(text, "blackbody:")) return parse_blackbody(text, *kelvin);
   if (const auto numbers = after(text, "line:")) return parse_line(text, *numbers);
-  return read_spectrum_file(folder / std::filesystem::path(text), beyond);
+  const std::filesystem::path file = folder / std::filesystem::path(text);
+  std::error_code error;
+  if (!std::filesystem::exists(file, error) && cie_illuminant(text))
+    throw InputError(quoted(text), "there is no such file",
+                     fmt::format("write cie:{} for the illuminant", text));
+  return read_spectrum_file(file, beyond);
 }
 
 TabulatedSpectrum read_spectrum_file(const std::filesystem::path& file, Beyond beyond) {

@@ -6,7 +6,6 @@
 #include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 #include "atomic_file.h"
@@ -190,15 +189,7 @@ WavelengthDistribution from_json(const Place& root) {
 }  // namespace
 
 void write_distribution(const std::filesystem::path& file, const WavelengthDistribution& distribution) {
-  AtomicFile output(file);
-  std::ofstream out(output.partial());
-  out << to_json(distribution).dump(1, ' ', false, Json::error_handler_t::replace) << '\n';
-  out.close();
-  std::error_code error;
-  if (out) output.commit(error);
-  if (!out || error)
-    throw InputError(file.string(), "cannot be written",
-                     "check that its folder exists, is writable and has space");
+  write_file(file, to_json(distribution).dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
 WavelengthDistribution read_distribution(const std::filesystem::path& file) {

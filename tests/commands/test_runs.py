@@ -136,20 +136,26 @@ class Render(CommandTest):
             time.sleep(0.05)
         self.fail("SIGINT is not caught")
 
-    def interrupt(self, seconds, *options):
-        """Renders until SIGINT, sent some time after it is caught. Returns what stderr held."""
+    def interrupt(self, seconds, *options, sent=signal.SIGINT):
+        """Renders until the signal, sent some time after SIGINT is caught. Returns what stderr held."""
         command = [BINARY, "render", str(self.scene), "-o", "a.exr", "--json", "a.json", *options]
         process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True, env=self.environment)
         self.wait_for_handler(process.pid)
         time.sleep(seconds)
-        process.send_signal(signal.SIGINT)
+        process.send_signal(sent)
         _, stderr = process.communicate(timeout=DEADLINE)
-        self.assertEqual(process.returncode, 130, stderr)
+        self.assertEqual(process.returncode, 128 + sent, stderr)
         self.assertIn("interrupted", stderr)
         return stderr
 
     def test_interrupt_saves_the_partial_image(self):
-        self.interrupt(1, "--sampler", "uniform", "--spp", str(1 << 24))
+        self.check_partial_image(signal.SIGINT)
+
+    def test_so_does_sigterm(self):
+        self.check_partial_image(signal.SIGTERM)
+
+    def check_partial_image(self, sent):
+        self.interrupt(1, "--sampler", "uniform", "--spp", str(1 << 24), sent=sent)
         run = self.read_json("a.json")
         self.assertTrue(run["interrupted"])
         self.assertGreater(run["mean_xyz"][1], 0)

@@ -114,7 +114,7 @@ class Refused(CommandTest):
             (["optimize", "cie:A", "lamp.csv*0.5", "-o", "link.json"], "link.json"),
             (["optimize", "lamp*2.csv", "-o", "lamp*2.csv"], "lamp*2.csv"),
             (["optimize", "cie:A", "-o", "a.json", "--json", "a.json"], "a.json"),
-            (["optimize", "cie:A", "-o", "a.json", "--plot", "../" + self.folder.name + "/a.json"], "a.json"),
+            (["optimize", "cie:A", "-o", "a.json", "--color-bar", "a.svg", "--plot", "../" + self.folder.name + "/a.svg"], "a.svg"),
             (["spectrum", "lamp.csv", "--json", "lamp.csv"], "lamp.csv"),
             (["diff", "out.exr", "out.exr", "--json", "out.exr"], "out.exr"),
             (["compare", self.scene, "--json", self.scene], "tiny.gltf"),

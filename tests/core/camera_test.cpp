@@ -164,7 +164,7 @@ TEST_F(GltfCamera, NamesAndIndices) {
   EXPECT_EQ(yfov("0"), 0.0);  // a name wins over an index
   for (const char* name : {"3", "-1", "2x"}) {
     const std::string text = refusal(file.str(), {.camera = name});
-    EXPECT_NE(text.find("choose one of \"tripod\", \"0\", 2"), std::string::npos) << text;
+    EXPECT_NE(text.find("choose one of \"tripod\", \"0\", \"index:2\""), std::string::npos) << text;
   }
 }
 

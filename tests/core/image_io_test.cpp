@@ -161,6 +161,25 @@ TEST_F(ImageIo, UnwritableNamesAreRefusedEarly) {
   EXPECT_EQ(file_count(), 1u);
 }
 
+TEST_F(ImageIo, AJpegHasALargestSize) {
+  EXPECT_THROW(check_image_size("a.JPG", 65501, 1), InputError);
+  EXPECT_THROW(check_image_size("a.jpeg", 1, 65501), InputError);
+  EXPECT_NO_THROW(check_image_size("a.jpg", 65500, 65500));
+  EXPECT_NO_THROW(check_image_size("a.png", 65501, 1));
+  EXPECT_THROW(write_image(folder_ / "a.jpg", Image(65501, 1)), InputError);
+  EXPECT_EQ(file_count(), 0u);
+}
+
+TEST_F(ImageIo, MetadataAreReadBack) {
+  for (const char* name : {"a.exr", "a.png"}) {
+    write_image(folder_ / name, test_image(), {{"seed", "7"}, {"sampler", "uniform"}});
+    const Metadata metadata = read_metadata(folder_ / name);
+    EXPECT_EQ(metadata.at("seed"), "7") << name;
+    EXPECT_EQ(metadata.at("sampler"), "uniform") << name;
+  }
+  EXPECT_TRUE(read_metadata(folder_ / "none.exr").empty());
+}
+
 TEST_F(ImageIo, BadImagesAreRefused) {
   EXPECT_THROW(read_image(folder_ / "none.exr"), InputError);
   EXPECT_THROW(read_image(folder_), InputError);

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 #include "core/framing.h"
+#include "core/gltf/name_choice.h"
 #include "error.h"
 
 namespace photopic {
@@ -16,36 +19,54 @@ constexpr double kMaxPixels = 1 << 28;  // the film takes 56 bytes a pixel
 constexpr int kDefaultWidth = 640;
 constexpr double kDefaultAspect = 4.0 / 3.0;
 
-/// @return the number that is all of `text`, or −1
-int parse_index(const std::string& text) {
+/// @return N of "N" or "index:N", or −1
+int parse_index(std::string_view text) {
+  constexpr std::string_view kPrefix = "index:";
+  if (text.starts_with(kPrefix)) text.remove_prefix(kPrefix.size());
   int index = -1;
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, index);
   return error == std::errc() && rest == end ? index : -1;
 }
 
+/// Warns where the chosen camera shares its name with others of the file.
+void warn_of_namesakes(const std::string& name, const std::vector<int>& indices,
+                       std::vector<std::string>& warnings) {
+  const auto other = std::ranges::find_if(indices, [&](int index) { return index != indices.front(); });
+  if (other == indices.end()) return;
+  warnings.push_back(fmt::format(
+      "--camera {}: several cameras have that name; the first is taken, others by their index, as index:{}",
+      name, *other));
+}
+
 /// The scene's camera of that name (its own or its node's), else of that index in the file's list; the first
 /// of all for an empty name.
 const NodeInstance* choose_camera(const GltfDocument& document, const std::vector<NodeInstance>& instances,
-                                  const std::string& name) {
+                                  const std::string& name, std::vector<std::string>& warnings) {
   const auto& model = document.model;
   const int wanted = parse_index(name);
-  const NodeInstance* by_index = nullptr;
-  std::string names;
+  const NodeInstance *by_name = nullptr, *by_index = nullptr;
+  std::vector<int> namesakes;
+  std::vector<std::string> names;
   for (const NodeInstance& instance : instances) {
     const tinygltf::Node& node = model.nodes[instance.node];
     if (node.camera < 0) continue;
+    if (name.empty()) return &instance;
     const std::string& own = model.cameras[node.camera].name;
-    if (name.empty() || own == name || node.name == name) return &instance;
+    if (own == name || node.name == name) {
+      if (!by_name) by_name = &instance;
+      namesakes.push_back(node.camera);
+    }
     if (node.camera == wanted && !by_index) by_index = &instance;
     const std::string& shown = own.empty() ? node.name : own;
-    names += (names.empty() ? "" : ", ") +
-             (shown.empty() ? fmt::format("{}", node.camera) : fmt::format("\"{}\"", shown));
+    names.push_back(shown.empty() ? fmt::format("index:{}", node.camera) : shown);
   }
+  warn_of_namesakes(name, namesakes, warnings);
+  if (by_name) return by_name;
   if (name.empty() || by_index) return by_index;
   throw InputError("--camera " + name,
                    fmt::format("{} has no camera of that name or index", document.file.path.string()),
-                   names.empty() ? "add one, or leave the option out" : "choose one of " + names);
+                   names.empty() ? "add one, or leave the option out" : choose_one_of(names, name));
 }
 
 /// A camera's `extras`, which glTF leaves to its users.
@@ -154,7 +175,7 @@ void set_resolution(const GltfDocument& document, double aspect, const GltfOptio
 void load_gltf_camera(const GltfDocument& document, const std::vector<NodeInstance>& instances,
                       const GltfOptions& options, Scene& scene) {
   scene.camera = Camera{};
-  if (const NodeInstance* instance = choose_camera(document, instances, options.camera)) {
+  if (const NodeInstance* instance = choose_camera(document, instances, options.camera, scene.warnings)) {
     const int index = document.model.nodes[instance->node].camera;
     const std::string& name = document.model.cameras[index].name;
     scene.camera_index = index;

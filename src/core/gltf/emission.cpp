@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/gltf/material.h"
+#include "core/gltf/name_choice.h"
 #include "error.h"
 #include "spectral/illuminants.h"
 #include "spectral/observer.h"
@@ -66,6 +68,27 @@ NamedEmission emission_from_rgb(const Rgb& color, const std::string& where) {
           fmt::format("rgb {:.3g} {:.3g} {:.3g} on cie:D65", color.r, color.g, color.b)};
 }
 
+bool has_emitter_called(const GltfDocument& document, const std::string& name) {
+  const auto is_called_so = [&](const auto& object) { return object.name == name; };
+  return name == "environment" || std::ranges::any_of(document.model.materials, is_called_so) ||
+         std::ranges::any_of(document.model.lights, is_called_so);
+}
+
+/// Of "a=b=cie:A" the longest name that the file knows; the shortest where it knows none.
+std::vector<EmitterOverride> find_names(const GltfDocument& document,
+                                        std::vector<EmitterOverride> overrides) {
+  for (EmitterOverride& given : overrides) {
+    if (given.name.empty()) continue;
+    const std::string text = given.name + "=" + given.text;
+    for (std::size_t at = text.rfind('='); at > given.name.size(); at = text.rfind('=', at - 1)) {
+      if (!has_emitter_called(document, text.substr(0, at))) continue;
+      given = {text.substr(0, at), text.substr(at + 1)};
+      break;
+    }
+  }
+  return overrides;
+}
+
 /// The last override of this name, else the last for all.
 const EmitterOverride* find_override(const std::vector<EmitterOverride>& overrides, const std::string& name) {
   const EmitterOverride* found = nullptr;
@@ -117,6 +140,10 @@ void set_emission(const tinygltf::Material& source, const std::string& pointer, 
 
 }  // namespace
 
+GltfEmissions::GltfEmissions(const GltfDocument& document, std::vector<EmitterOverride> overrides,
+                             Scene& scene)
+    : document_(document), overrides_(find_names(document, std::move(overrides))), scene_(scene) {}
+
 GltfEmissions::Added GltfEmissions::add(const GltfEmitter& emitter) {
   std::optional<NamedEmission> given = given_emission(document_, emitter, overrides_);
   const bool measured = given.has_value();
@@ -148,7 +175,7 @@ void GltfEmissions::check_overrides() const {
     throw InputError(
         "--emitter " + given.name + "=" + given.text, "no emissive material or light has that name",
         names_.empty() ? document_.file.path.string() + " has no emitter with a name: leave NAME= out"
-                       : fmt::format("choose one of \"{}\"", fmt::join(names_, "\", \"")));
+                       : choose_one_of(names_, given.name));
   }
 }
 

@@ -23,8 +23,7 @@ struct GltfEmitter {
 /// upsampled on D65.
 class GltfEmissions {
  public:
-  GltfEmissions(const GltfDocument& document, const std::vector<EmitterOverride>& overrides, Scene& scene)
-      : document_(document), overrides_(overrides), scene_(scene) {}
+  GltfEmissions(const GltfDocument& document, std::vector<EmitterOverride> overrides, Scene& scene);
 
   struct Added {
     int spectrum;   ///< index into Scene::emission_spectra; equal spectra are kept once
@@ -44,7 +43,7 @@ class GltfEmissions {
 
  private:
   const GltfDocument& document_;
-  const std::vector<EmitterOverride>& overrides_;
+  const std::vector<EmitterOverride> overrides_;
   Scene& scene_;
   std::vector<std::string> digests_, names_;
   bool has_lamp_ = false;

@@ -49,6 +49,13 @@ std::uint32_t word_at(const GltfFile& file, std::size_t offset) {
   return word;
 }
 
+/// The content tells, not the name. A byte order mark and blanks may come first.
+bool looks_like_json(std::span<const char> bytes) {
+  const std::string_view text(bytes.data(), bytes.size());
+  const std::size_t first = text.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+  return first != text.npos && text[first] == '{';
+}
+
 /// Bytes beyond the length in the header do no harm; anything short of it does.
 void split_glb(GltfFile& file) {
   const std::string where = file.path.string();
@@ -138,7 +145,7 @@ std::vector<char> read_gltf_bytes(const std::filesystem::path& path) {
 GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path) {
   GltfFile file{.path = path, .bytes = std::move(bytes), .json = {}, .bin = {}};
   const bool glb = file.bytes.size() >= 4 && word_at(file, 0) == kMagic;
-  if (!glb && path.extension() == ".glb") {
+  if (!glb && path.extension() == ".glb" && !looks_like_json(file.bytes)) {
     throw InputError(path.string(), "the file does not begin with \"glTF\" as a .glb does", kReexport);
   }
   file.json = {file.bytes.data(), file.bytes.size()};

@@ -76,6 +76,8 @@ void load_gltf_lights(const GltfDocument& document, const std::vector<NodeInstan
         {.kind = kind_of(source), .intensity = intensity, .emission_spectrum = spectrum, .index = index},
         source, scene.origin));
   }
+  if (options.punctual_scale != 1.0 && scene.punctual_lights.empty())
+    scene.warnings.emplace_back("--punctual-scale has no effect: the scene has no punctual lights");
   if (ranged > 0)
     scene.warnings.push_back(fmt::format("lights with a range, rendered as if without: {}", ranged));
 }

@@ -23,15 +23,21 @@ const tinygltf::Value* extra(const GltfDocument& document, std::size_t index, co
   return extras.IsObject() && extras.Has(key) ? &extras.Get(key) : nullptr;
 }
 
+/// A text, fit for a message; empty where the value is a number, say.
+std::string name_in(const tinygltf::Value& value) {
+  return value.IsString() ? value.Get<std::string>().substr(0, 60) : std::string();
+}
+
 void load_conductor(const GltfDocument& document, std::size_t index, Material& material) {
   const tinygltf::Value* value = extra(document, index, "conductor");
   if (value == nullptr) return;
-  const std::string name = value->IsString() ? value->Get<std::string>() : "";
+  const std::string name = name_in(*value);
   material.extensions.conductor = conductor_index(name);
   if (!material.extensions.conductor)
-    document.fail(extras_pointer(index, "conductor"),
-                  fmt::format("\"{}\" is not a known metal", name.substr(0, 60)),
-                  fmt::format("choose one of {}", fmt::join(conductor_names(), ", ")));
+    document.fail(
+        extras_pointer(index, "conductor"),
+        name.empty() ? "this is not the name of a metal" : fmt::format("\"{}\" is not a known metal", name),
+        fmt::format("choose one of {}", fmt::join(conductor_names(), ", ")));
 }
 
 DielectricIndex cauchy(const GltfDocument& document, std::size_t index, const tinygltf::Value& value) {
@@ -53,12 +59,13 @@ void load_glass(const GltfDocument& document, std::size_t index, Material& mater
   if (extra(document, index, "conductor") != nullptr)
     document.fail(extras_pointer(index, "glass"), "the material has a \"conductor\", too",
                   "take one of them out");
-  const std::string name = value->IsString() ? value->Get<std::string>() : "";
+  const std::string name = name_in(*value);
   std::optional<DielectricIndex> glass = glass_index(name);
   if (value->IsObject() && value->Has("cauchy")) glass = cauchy(document, index, value->Get("cauchy"));
   if (!glass)
     document.fail(
-        extras_pointer(index, "glass"), fmt::format("\"{}\" is not a known glass", name.substr(0, 60)),
+        extras_pointer(index, "glass"),
+        name.empty() ? "this is not the name of a glass" : fmt::format("\"{}\" is not a known glass", name),
         fmt::format("choose one of {}, or write {{\"cauchy\": [A, B]}}", fmt::join(glass_names(), ", ")));
   const tinygltf::Material& source = document.model.materials[index];
   material.extensions.dispersion = glass;

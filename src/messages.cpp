@@ -1,0 +1,42 @@
+#include "messages.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <iostream>
+#include <system_error>
+
+#include "error.h"
+
+namespace photopic {
+
+void print_error(const std::string& text) {
+  fmt::print(stderr, "photopic: {}\n", without_controls(text));
+}
+
+void print_warning(const std::string& text) {
+  fmt::print(stderr, "warning: {}\n", without_controls(text));
+}
+
+void print_out(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = text.find('\n');
+    const std::string line = without_controls(std::string(text.substr(0, length)));
+    std::fwrite(line.data(), 1, line.size(), stdout);
+    if (length == text.npos) return;
+    std::fputc('\n', stdout);
+    text.remove_prefix(length + 1);
+  }
+}
+
+bool check_stdout() {
+  errno = 0;
+  const bool good = (std::cout.flush().good() & (std::fflush(stdout) == 0)) && std::ferror(stdout) == 0;
+  if (good) return true;
+  const std::string why = errno != 0 ? ": " + std::generic_category().message(errno) : "";
+  print_error("standard output cannot be written to" + why + "; check where it leads");
+  return false;
+}
+
+}  // namespace photopic

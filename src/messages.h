@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace photopic {
+
+/// All that a person reads on a terminal goes through here: names from files may hold control characters,
+/// and the terminal shall not obey them.
+
+/// One line on stderr, `photopic: …`.
+void print_error(const std::string& text);
+
+/// One line on stderr, `warning: …`.
+void print_warning(const std::string& text);
+
+/// Lines on stdout.
+void print_out(std::string_view text);
+
+/// Whether stdout took all that was printed: a full disk may be behind it. What is missing is told on stderr.
+bool check_stdout();
+
+}  // namespace photopic

@@ -1,0 +1,179 @@
+"""Outputs that cannot be written: told in a line each, exit code 1, nothing old is lost, everything else is written."""
+
+import json
+import resource
+import subprocess
+import unittest
+
+from harness import BINARY, DEADLINE, CommandTest
+
+LIMIT = 8192  # bytes a file may have; a full disk fails alike, but takes root to make
+
+
+def limit_files():
+    resource.setrlimit(resource.RLIMIT_FSIZE, (LIMIT, LIMIT))
+
+
+class OutputTest(CommandTest):
+    def run_limited(self, *arguments):
+        """With files limited to LIMIT bytes."""
+        return subprocess.run(
+            [BINARY, *map(str, arguments)],
+            cwd=self.folder,
+            env=self.environment,
+            capture_output=True,
+            text=True,
+            timeout=DEADLINE,
+            preexec_fn=limit_files,
+        )
+
+    def render(self, *options, size="128x128"):
+        return ["render", self.scene, "--sampler", "uniform", "--spp", "1", "--resolution", size, "--quiet", *options]
+
+    def assert_no_partial_files(self):
+        self.assertEqual([path.name for path in self.folder.rglob("*.partial*")], [])
+
+
+class FullDisk(OutputTest):
+    def test_each_kind_of_image_fails_in_one_line_and_leaves_the_old_one(self):
+        for name in ["a.png", "a.jpg", "a.exr", "a.hdr"]:
+            (self.folder / name).write_text("precious")
+            result = self.run_limited(*self.render("-o", name))
+            self.assertEqual(result.returncode, 1, name)
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+            self.assertIn(f"photopic: {name}: cannot be written: File too large", result.stderr)
+            self.assertEqual((self.folder / name).read_text(), "precious")
+        self.assert_no_partial_files()
+
+    def test_what_can_be_written_is(self):
+        result = self.run_limited(*self.render("-o", "a.jpg", "-o", "b.exr", "-o", "c.png", "--json", "d.json"))
+        self.assertEqual(result.returncode, 1)
+        lines = result.stderr.splitlines()
+        self.assertEqual([line.split(": ")[1] for line in lines], ["a.jpg", "b.exr", "c.png"])
+        self.assertEqual(self.read_json("d.json")["spp"], 1)
+        self.assertEqual({p.name for p in self.folder.iterdir()}, {"tiny.gltf", "d.json"})
+
+    def test_images_that_fit_are_the_same_as_ever(self):
+        small = self.render("-o", "a.exr", "-o", "b.png", "--stats", size="40x40")
+        self.photopic(*small)
+        (self.folder / "b.png").rename(self.folder / "whole.png")
+        result = self.run_limited(*small)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual([line.split(": ")[1] for line in result.stderr.splitlines()], ["a.exr"])
+        self.assertEqual((self.folder / "b.png").read_bytes(), (self.folder / "whole.png").read_bytes())
+        self.assertIn("M samples/s", result.stdout)
+
+    def test_optimize(self):
+        result = self.run_limited("optimize", "cie:FL11", "-o", "d.json", "--effort", "quick", "--quiet",
+                                  "--color-bar", "bar.svg", "--json", "r.json")  # fmt: skip
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual([line.split(": ")[1] for line in result.stderr.splitlines()], ["d.json", "bar.svg"])
+        self.assertLess(self.read_json("r.json")["objective_value"], 5)
+        self.assertEqual({p.name for p in self.folder.iterdir()}, {"tiny.gltf", "r.json"})
+
+    def test_compare(self):
+        result = self.run_limited("compare", self.scene, "--samplers", "uniform,visible", "--spp", "1", "--quiet",
+                                  "--reference-spp", "2", "--resolution", "128x128", "--no-cache", "--report", "report",
+                                  "--json", "c.json")  # fmt: skip
+        self.assertEqual(result.returncode, 1)
+        failed = [line.split(": ")[1] for line in result.stderr.splitlines()]
+        for name in ["uniform.exr", "uniform.png", "visible.exr", "reference.png"]:
+            self.assertIn(f"report/{name}", failed)
+        self.assertEqual(result.stdout, (self.folder / "report/comparison.txt").read_text())
+        self.assertEqual(len(self.read_json("c.json")["runs"]), 2)
+        self.assert_no_partial_files()
+
+    def test_standard_output(self):
+        for arguments in [["info", self.scene], ["--version"], ["render", "--help"], ["spectrum", "cie:A"]]:
+            with open("/dev/full", "w") as full:
+                result = subprocess.run([BINARY, *map(str, arguments)], cwd=self.folder, env=self.environment,
+                                        stdout=full, stderr=subprocess.PIPE, text=True, timeout=DEADLINE)  # fmt: skip
+            self.assertEqual(result.returncode, 1, arguments)
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+            self.assertIn("standard output", result.stderr)
+        self.assertIn("No space left", result.stderr)
+
+
+class RefusedEarly(OutputTest):
+    def test_a_jpeg_has_a_largest_size(self):
+        for size in ["65501x1", "1x65536"]:
+            self.assert_refused(self.render("-o", "a.png", "-o", "wide.JPG", size=size), "wide.JPG", "65500", size)
+        self.assertEqual({p.name for p in self.folder.iterdir()}, {"tiny.gltf"})
+        self.photopic(*self.render("-o", "wide.jpg", size="65500x1"))
+        self.photopic(*self.render("-o", "wide.png", size="65536x1"))
+
+    def test_plots_are_svg(self):
+        self.assert_refused(["spectrum", "cie:A", "--plot", "a.png"], "a.png", ".svg")
+        self.assert_refused(["optimize", "cie:A", "-o", "d.json", "--plot", "a"], "a:", ".svg")
+        self.assert_refused(["optimize", "cie:A", "-o", "d.json", "--color-bar", "c.txt"], "c.txt", ".svg", ".png")
+        self.assertEqual({p.name for p in self.folder.iterdir()}, {"tiny.gltf"})
+        help_ = " ".join(self.photopic("optimize", "--help").stdout.split())
+        self.assertIn(".svg with labels, or an image, .exr .hdr .png .jpg", help_)
+        self.photopic("spectrum", "cie:A", "--quiet", "--plot", "a.SVG")
+
+    def test_a_hyphen_is_no_standard_output(self):
+        for arguments in [
+            ["info", self.scene, "--json", "-"],
+            ["spectrum", "cie:A", "--json", "-"],
+            ["diff", self.scene, self.scene, "--json", "-"],
+            ["optimize", "cie:A", "-o", "-"],
+            self.render("-o", "a.exr", "--json", "-"),
+        ]:
+            self.assert_refused(arguments, "-: ", "/dev/stdout")
+        self.assertEqual({p.name for p in self.folder.iterdir()}, {"tiny.gltf"})
+
+
+class IdleOptions(OutputTest):
+    def warnings(self, *options, scene=None):
+        command = ["render", scene or self.scene, "--sampler", "uniform", "--spp", "1", "--quiet", *options]
+        return self.photopic(*command).stderr.splitlines()
+
+    def test_each_is_warned_of_in_one_line(self):
+        xyz = ["--color", "xyz", "--white-balance", "cie:A"]
+        for options, name in [
+            (["-o", "a.exr", "-o", "b.hdr", "--exposure", "1"], "--exposure"),
+            (["-o", "a.exr", "--punctual-scale", "0.001464"], "--punctual-scale"),
+            (["-o", "a.exr", *xyz], "--white-balance"),
+        ]:
+            lines = self.warnings(*options)
+            self.assertEqual(len(lines), 1, lines)
+            self.assertRegex(lines[0], f"^warning: {name} has no effect")
+        result = self.photopic("compare", self.scene, "--samplers", "uniform", "--spp", "1", "--reference-spp", "2",
+                               "--quiet", "--exposure", "1", "--no-cache")  # fmt: skip
+        self.assertEqual(len(result.stderr.splitlines()), 1)
+        self.assertIn("--exposure has no effect", result.stderr)
+
+    def test_not_where_they_have_one(self):
+        scene = json.loads(self.scene.read_text())
+        scene["extensionsUsed"] += ["KHR_lights_punctual"]
+        scene["extensions"] = {"KHR_lights_punctual": {"lights": [{"type": "point", "intensity": 5}]}}
+        scene["nodes"][1]["extensions"] = {"KHR_lights_punctual": {"light": 0}}
+        (self.folder / "lit.gltf").write_text(json.dumps(scene))
+        self.assertEqual(self.warnings("-o", "a.exr", "-o", "a.png", "--exposure", "1"), [])
+        self.assertEqual(self.warnings("-o", "a.exr", "--punctual-scale", "0.5", scene="lit.gltf"), [])
+        self.assertEqual(
+            self.warnings("-o", "a.exr", "-o", "a.png", "--color", "xyz", "--white-balance", "cie:A"), []
+        )
+
+
+class SharedNoise(OutputTest):
+    def render_to(self, name, seed, sampler="uniform"):
+        self.photopic("render", self.scene, "-o", name, "--sampler", sampler, "--spp", "2", "--seed", seed, "--quiet")
+
+    def test_is_warned_of(self):
+        self.render_to("reference.exr", 3)
+        self.render_to("same.exr", 3)
+        self.render_to("same.png", 3)
+        self.render_to("seed.exr", 4)
+        self.render_to("sampler.exr", 3, "visible")
+        result = self.photopic("diff", "reference.exr", "same.exr", "seed.exr", "sampler.exr", "same.png")
+        self.assertEqual([line.split(": ")[1] for line in result.stderr.splitlines()], ["same.exr", "same.png"])
+        self.assertIn("--seed", result.stderr)
+        compare = ["compare", self.scene, "--reference", "reference.exr", "--samplers", "visible,uniform", "--spp", "2",
+                   "--quiet", "--seed"]  # fmt: skip
+        self.assertIn("warning: uniform: has the reference's", self.photopic(*compare, "2").stderr)
+        self.assertEqual(self.photopic(*compare, "3").stderr, "")
+
+
+if __name__ == "__main__":
+    unittest.main()
