@@ -25,12 +25,9 @@ GgxAlbedo::Pair<float> GgxAlbedo::two_of(int row, int first) {
 }
 
 GgxAlbedo::Pair<Lanes> GgxAlbedo::two_of(IntLanes row, IntLanes first) {
-  struct Four {
-    float numbers[4];
-  };
-  std::array<Four, kLanes> pairs;
+  std::array<std::array<float, 4>, kLanes> pairs;
   for (int i = 0; i < kLanes; ++i)
-    std::memcpy(&pairs[static_cast<std::size_t>(i)], &kTable[row[i]][first[i]], sizeof(Four));
+    std::memcpy(&pairs[static_cast<std::size_t>(i)], &kTable[row[i]][first[i]], sizeof(pairs[0]));
   const auto [m0, b0, m1, b1] = columns(std::bit_cast<std::array<Lanes, 4>>(pairs));
   return {{m0, b0}, {m1, b1}};
 }

@@ -25,7 +25,7 @@ struct BasicGgx {
   /// D(m) [1/sr]; the form with sin²/α² keeps small α accurate.
   T d(Vec3<T> m) const {
     const T k = (m.x * m.x + m.y * m.y) / sqr(alpha) + m.z * m.z;
-    return select(m.z > 0.0f, kInvPi / (sqr(alpha) * k * k), T{});
+    return select(m.z <= 0.0f, T{}, kInvPi / (sqr(alpha) * k * k));
   }
 
   T lambda(Vec3<T> w) const {

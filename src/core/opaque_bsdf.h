@@ -55,8 +55,9 @@ class BasicOpaqueBsdf {
     const T d = select(mirror(), T{}, ggx_.d(m) / (4.0f * wo_.z));
     value.f_cos += fresnel(dot(wo_, m)) * select(mirror(), T{}, d * ggx_.g2(wo_, wi));
     value.pdf += select(mirror(), T{}, specular_probability_ * d * ggx_.g1(wo_));
-    const auto above = (wi.z > 0.0f) & (wo_.z > 0.0f);
-    return {select(above, value.f_cos, Spectrum(0.0f)), select(above, value.pdf, T{})};
+    const auto below =
+        (wi.z <= 0.0f) | (wo_.z <= 0.0f);  // what is not a number is neither, and stays to be seen
+    return {select(below, Spectrum(0.0f), value.f_cos), select(below, T{}, value.pdf)};
   }
 
   BsdfDraw<N, T> draw(T u_lobe, BasicSample2d<T> u) const {
@@ -70,8 +71,7 @@ class BasicOpaqueBsdf {
     }
     for_each_lane(grazing, [&](int i) { set_lane(wi, i, lane(grazing_, i).sample(lane(u, i))); });
     const BasicBsdfValue<N, T> value = evaluate(wi);
-    const Mask<T> delta = specular & mirror();
-    const Mask<T> found = (delta | (value.pdf != 0.0f)) & (wo_.z > 0.0f);
+    const Mask<T> delta = specular & mirror() & (wo_.z > 0.0f), found = delta | (value.pdf != 0.0f);
     const Spectrum weight = value.f_cos / value.pdf, of_delta = fresnel(wo_.z) / specular_probability_;
     return {.wi = wi,
             .weight = select(delta, of_delta, weight),

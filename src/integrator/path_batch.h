@@ -129,8 +129,7 @@ struct PathBatch {
   std::vector<std::uint32_t> active;
   std::vector<std::uint32_t> sorted;  ///< the active by material
   std::vector<std::uint32_t> shadowed;
-  std::vector<std::uint32_t>
-      pane_shadowed;  ///< those of them whose light only shadow rays bring through panes
+  std::vector<std::uint32_t> pane_shadowed;  ///< of those, whose lights are found by shadow rays alone
   std::array<std::vector<std::uint32_t>, kBsdfKinds> by_kind;
 
  private:

@@ -161,7 +161,7 @@ std::vector<RayPacket> shuffled(std::span<const RayPacket> packets) {
     for (std::size_t k = 0; k < rays.size(); ++k) {
       const std::size_t to = k % kPacketSize, from = rays[k].lane;
       const RayPacket& source = packets[rays[k].packet];
-      if (to == 0) result.push_back({.flags = source.flags, .shadow = shadow});
+      if (to == 0) result.push_back({.shadow = shadow});  // with no flags: coherent they are not
       RayPacket& packet = result.back();
       for (const auto member : {&RayPacket::org_x, &RayPacket::org_y, &RayPacket::org_z, &RayPacket::dir_x,
                                 &RayPacket::dir_y, &RayPacket::dir_z, &RayPacket::tnear, &RayPacket::tfar})

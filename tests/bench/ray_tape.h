@@ -42,7 +42,8 @@ class Recording {
   Recording& operator=(const Recording&) = delete;
 };
 
-/// The same rays in full packets without any order: nearest-hit rays, then shadow rays.
+/// The same rays in full packets without any order, nor marked as coherent: nearest-hit rays, then shadow
+/// rays.
 std::vector<RayPacket> shuffled(std::span<const RayPacket> packets);
 
 /// What tracing packets again came to.

@@ -82,8 +82,9 @@ class AccelReplay {
   double seconds(std::span<const RayPacket> packets) {
     seconds_ = 0.0;
     for (const RayPacket& packet : packets) {
-      if (!slots_.empty() && packet.shadow != shadow_) flush();
-      shadow_ = packet.shadow;
+      const bool coherent = packet.flags != 0;
+      if (!slots_.empty() && (packet.shadow != shadow_ || coherent != coherent_)) flush();
+      shadow_ = packet.shadow, coherent_ = coherent;
       add(packet);
       if (slots_.size() + kPacketSize > kCapacity || slots_.size() % kPacketSize != 0) flush();
     }
@@ -110,7 +111,7 @@ class AccelReplay {
     if (shadow_)
       accel_.occluded(rays_, slots_, blocked_);
     else
-      accel_.intersect(rays_, slots_, hits_);
+      accel_.intersect(rays_, slots_, hits_, coherent_);
     seconds_ += thread_cpu_seconds() - start;
     slots_.clear();
   }
@@ -120,7 +121,7 @@ class AccelReplay {
   std::vector<Hit> hits_;
   std::vector<std::uint8_t> blocked_;
   std::vector<std::uint32_t> slots_;
-  bool shadow_ = false;
+  bool shadow_ = false, coherent_ = false;
   double seconds_ = 0.0;
 };
 

@@ -21,7 +21,8 @@ class CommandTest(unittest.TestCase):
         self.environment = dict(os.environ, XDG_CACHE_HOME=str(self.folder / "cache"))
         self.scene = write_tiny_scene(self.folder / "tiny.gltf")
 
-    def run_photopic(self, *arguments):
+    def run_photopic(self, *arguments, **settings):
+        """@param settings for subprocess.run"""
         return subprocess.run(
             [BINARY, *map(str, arguments)],
             cwd=self.folder,
@@ -29,6 +30,7 @@ class CommandTest(unittest.TestCase):
             capture_output=True,
             text=True,
             timeout=DEADLINE,
+            **settings,
         )
 
     def photopic(self, *arguments):

@@ -17,15 +17,7 @@ def limit_files():
 class OutputTest(CommandTest):
     def run_limited(self, *arguments):
         """With files limited to LIMIT bytes."""
-        return subprocess.run(
-            [BINARY, *map(str, arguments)],
-            cwd=self.folder,
-            env=self.environment,
-            capture_output=True,
-            text=True,
-            timeout=DEADLINE,
-            preexec_fn=limit_files,
-        )
+        return self.run_photopic(*arguments, preexec_fn=limit_files)
 
     def render(self, *options, size="128x128"):
         return ["render", self.scene, "--sampler", "uniform", "--spp", "1", "--resolution", size, "--quiet", *options]

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <vector>
 
 #include "core/opaque_bsdf.h"
@@ -151,6 +152,14 @@ TEST(Lanes, OpaqueBsdfsAsOneByOne) {
   }
   EXPECT_GT(found, 2000);
   EXPECT_GT(deltas, 100);
+}
+
+/// A direction that is not a number leads to values that are none, which renders count: not to black.
+TEST(Lanes, WhatIsNotANumberIsSeen) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto values = Paths().in_lanes().evaluate(broadcast<Lanes>({nan, nan, nan}));
+  EXPECT_TRUE(std::isnan(values.f_cos.v[0][1]));
+  EXPECT_TRUE(std::isnan(values.pdf[1]));
 }
 
 }  // namespace
