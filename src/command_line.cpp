@@ -8,6 +8,7 @@
 #include "command_line_options.h"
 #include "command_line_scene.h"
 #include "commands.h"
+#include "render_layers.h"
 
 namespace photopic {
 namespace {
@@ -24,6 +25,32 @@ CLI::Validator number_between(double min, double max) {
 }
 
 const CLI::Validator kSeconds = number_between(1e-3, 1e9), kDeltaE = number_between(1e-3, 1e3);
+
+void bind_layers(CLI::App& command, RenderArguments& a) {
+  command
+      .add_option(
+          "--aov", a.aovs,
+          "Layers of every EXR, of the first surface that a pixel's rays meet, glass and mirrors too: albedo "
+          "(albedo.R .G .B; base colour, linear sRGB), normal (normal.X .Y .Z; of shading, world space, "
+          "towards the viewer), depth (depth.Z; along the camera's axis [m]); all 0 where there is none, "
+          "means over the pixel's first 64 samples. Of the picture: samples (samples.Y; their number), "
+          "variance (variance.R .G .B or .X .Y .Z; of the pixel's mean, samples taken as independent: too "
+          "large for --sequence sobol)")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(one_of(kAovs))
+      ->type_name("NAME,…");
+  command
+      .add_option(
+          "--spectral-bins", a.spectral_bins,
+          "Every EXR holds the spectrum, too, in N equal bins over 360-830 nm, in the layout of Fichet et "
+          "al. "
+          "2021: channels S0.<centre>nm, a bin's mean spectral radiance L per nm, scaled so that "
+          "Y = ∫ȳ·L dλ / ∫ȳ dλ; where Y is in cd/m², L / 72983 is in W/(m² sr nm). Takes 8 bytes a bin and "
+          "pixel. --sampler uniform serves all bins alike")
+      ->check(CLI::Range(1, kMostSpectralBins))
+      ->type_name("N");
+}
 
 void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
   auto a = std::make_shared<RenderArguments>();
@@ -69,6 +96,7 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
                   "What comes out white, by Bradford adaptation: a SPECTRUM, or illuminant for the scene's "
                   "lamps; D65 if not given")
       ->type_name("SPECTRUM");
+  bind_layers(command, *a);
   bind_seed(command, a->scene.seed);
   bind_threads(command, threads);
   bind_json(command, a->json);

@@ -48,8 +48,10 @@ struct RenderArguments {
   SceneArguments scene;
   std::vector<std::filesystem::path> outputs;
   std::string sampler = "optimized";
-  std::string color = "srgb";  ///< what an EXR holds; or "xyz"
-  std::string white_balance;   ///< the SPECTRUM that comes out white, or "illuminant"; empty: D65
+  std::string color = "srgb";     ///< what an EXR holds; or "xyz"
+  std::string white_balance;      ///< the SPECTRUM that comes out white, or "illuminant"; empty: D65
+  std::vector<std::string> aovs;  ///< layers of an EXR: names of kAovs
+  int spectral_bins = 0;          ///< that an EXR holds besides; 0: none
   std::filesystem::path json;
 };
 int run_render(const RenderArguments& arguments);

@@ -9,8 +9,7 @@
 #include "core/surface.h"
 #include "core/texture_slots.h"
 #include "scene_report.h"
-#include "spectral/illuminants.h"
-#include "spectral/observer.h"
+#include "spectral/reflectance_color.h"
 
 namespace photopic {
 namespace {
@@ -21,16 +20,6 @@ std::vector<std::size_t> material_triangles(const Scene& scene) {
   std::vector<std::size_t> counts(scene.materials.size());
   for (const Shape& shape : scene.geometry.shapes) counts[shape.material] += shape.triangle_count;
   return counts;
-}
-
-/// The colour of a reflectance under D65, linear sRGB.
-Rgb color_under_d65(const Spectrum& reflectance) {
-  if (const auto* grey = std::get_if<ConstantSpectrum>(&reflectance))
-    return {grey->value, grey->value, grey->value};
-  static const TabulatedSpectrum d65 = tabulate_emission(cie_illuminant("D65").value());
-  static const double white = emission_xyz(d65, Observer::cie1931()).y;
-  return xyz_to_linear_srgb(emission_xyz(tabulate_product(reflectance, d65), Observer::cie1931()) *
-                            (1.0 / white));
 }
 
 std::string color_text(const Rgb& color) {

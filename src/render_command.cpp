@@ -9,6 +9,7 @@
 #include "error.h"
 #include "interrupt.h"
 #include "output_file.h"
+#include "render_layers.h"
 #include "run_report.h"
 #include "sampler_choice.h"
 #include "scene_setup.h"
@@ -20,7 +21,7 @@ namespace {
 
 /// Wall-clock seconds of everything but the render itself.
 struct PhaseTimes {
-  double load = 0, prepare = 0, optimize = 0, write = 0;
+  double load = 0, prepare = 0, optimize = 0, layers = 0, write = 0;
 };
 
 /// @return what will be written
@@ -29,8 +30,14 @@ std::vector<std::filesystem::path> check_outputs(const RenderArguments& argument
   if (!arguments.json.empty()) check_writable_file(arguments.json);
   std::vector<std::filesystem::path> outputs = arguments.outputs;
   outputs.push_back(arguments.json);
-  if (arguments.color == "xyz" && std::ranges::none_of(arguments.outputs, can_hold_xyz))
-    throw InputError("--color xyz", "no output is an .exr, which alone can hold CIE XYZ", "add -o NAME.exr");
+  const auto check_exr = [&](const char* option, bool given, const char* what) {
+    if (given && std::ranges::none_of(arguments.outputs, is_exr))
+      throw InputError(option, fmt::format("no output is an .exr, which alone can hold {}", what),
+                       "add -o NAME.exr");
+  };
+  check_exr("--color xyz", arguments.color == "xyz", "CIE XYZ");
+  check_exr("--aov", !arguments.aovs.empty(), "layers");
+  check_exr("--spectral-bins", arguments.spectral_bins > 0, "spectra");
   std::vector<std::filesystem::path> inputs = input_files(arguments.scene);
   inputs.push_back(arguments.white_balance);
   check_no_overwriting(outputs, inputs);
@@ -41,7 +48,7 @@ void warn_of_idle_options(const RenderArguments& arguments) {
   if (arguments.scene.exposure != 0.0 && std::ranges::all_of(arguments.outputs, is_float_image))
     print_warning("--exposure has no effect: no output is a .png or .jpg");
   if (!arguments.white_balance.empty() && arguments.color == "xyz" &&
-      std::ranges::all_of(arguments.outputs, can_hold_xyz))
+      std::ranges::all_of(arguments.outputs, is_exr))
     print_warning("--white-balance has no effect: --color xyz is without it");
 }
 
@@ -56,13 +63,13 @@ void write_json(const RenderArguments& arguments, const Scene& scene, const Run&
                    {"shapes", scene.geometry.shapes.size()},
                    {"materials", scene.materials.size()},
                    {"spectra", scene.emission_names}};
+  json["aov"] = arguments.aovs;
+  json["spectral_bins"] = arguments.spectral_bins;
   json["rays"] = run.stats.rays;
   json["shadow_rays"] = run.stats.shadow_rays;
-  json["phase_seconds"] = {{"load", times.load},
-                           {"prepare", times.prepare},
-                           {"optimize", times.optimize},
-                           {"render", run.render_seconds},
-                           {"write", times.write}};
+  json["phase_seconds"] = {{"load", times.load},         {"prepare", times.prepare},
+                           {"optimize", times.optimize}, {"render", run.render_seconds},
+                           {"layers", times.layers},     {"write", times.write}};
   write_json_file(arguments.json, json);
 }
 
@@ -100,11 +107,12 @@ std::string format_stats(const Scene& scene, const Run& run, const PhaseTimes& t
 }
 
 void write_images(const RenderArguments& arguments, const Film& film, const ChromaticAdaptation& adaptation,
-                  const Scene& scene, const Run& run, OutputAttempts& attempt) {
+                  const Scene& scene, const Run& run, const std::vector<ImageLayer>& layers,
+                  OutputAttempts& attempt) {
   const Image srgb = film.to_linear_srgb(adaptation);
   for (const auto& output : arguments.outputs) {
-    const bool xyz = arguments.color == "xyz" && can_hold_xyz(output);
-    attempt([&] { write_render(output, xyz ? film.to_xyz() : srgb, arguments.scene, scene, run); });
+    const bool xyz = arguments.color == "xyz" && is_exr(output);
+    attempt([&] { write_render(output, xyz ? film.to_xyz() : srgb, arguments.scene, scene, run, layers); });
   }
 }
 
@@ -136,22 +144,27 @@ int run_render(const RenderArguments& arguments) {
   const ChromaticAdaptation adaptation =
       white_balance(arguments.white_balance, standard_observer(options), scene);
 
+  LayerFilms films(arguments, scene.scene.camera);
+
   const Stopwatch optimize_watch;
   const ChosenSampler chosen =
       choose_sampler(arguments.sampler, scene, distribution_request(options, scene, wavelengths, "D65"));
   times.optimize = optimize_watch.seconds();
   if (interrupt_flag()) return interrupted_early();
-  const RenderResult result =
-      render_with_progress("rendering", scene, chosen.sampler, options, options.spp, options.seed);
+  const RenderResult result = render_with_progress("rendering", scene, chosen.sampler, options, options.spp,
+                                                   options.seed, films.to_feed());
   if (result.stats.paths == 0) return interrupted_early();
 
   Run run = make_run(arguments.sampler, options.spp, wavelengths, options.seed, result);
   if (options.seconds > 0 || options.target_error > 0) run.spp = static_cast<int>(std::lround(run.mean_spp));
   run.optimize_seconds = chosen.optimize_seconds;
   run.image = arguments.outputs.front().string();
+  const Stopwatch layer_watch;
+  const std::vector<ImageLayer> layers = make_layers(arguments, scene, result.film, films, adaptation);
+  times.layers = layer_watch.seconds();
   const Stopwatch write_watch;
   OutputAttempts attempt;
-  write_images(arguments, result.film, adaptation, scene.scene, run, attempt);
+  write_images(arguments, result.film, adaptation, scene.scene, run, layers, attempt);
   times.write = write_watch.seconds();
 
   if (!arguments.json.empty()) attempt([&] { write_json(arguments, scene.scene, run, times); });

@@ -82,12 +82,16 @@ const Observer& standard_observer(const SceneArguments& arguments) {
   return arguments.observer == 1964 ? Observer::cie1964() : Observer::cie1931();
 }
 
+Sequence sequence_of(const SceneArguments& arguments) {
+  return arguments.sequence == "independent" ? Sequence::independent : Sequence::sobol;
+}
+
 RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint32_t seed,
                              Progress* progress) {
   return {.spp = spp,
           .seconds = arguments.seconds,
           .target_error = arguments.target_error,
-          .sequence = arguments.sequence == "independent" ? Sequence::independent : Sequence::sobol,
+          .sequence = sequence_of(arguments),
           .observer = &standard_observer(arguments),
           .seed = seed,
           .max_depth = arguments.max_depth,
@@ -98,13 +102,15 @@ RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint
 
 RenderResult render_with_progress(const std::string& label, const PreparedScene& scene,
                                   const WavelengthSampler& sampler, const SceneArguments& arguments, int spp,
-                                  std::uint32_t seed) {
+                                  std::uint32_t seed, const FurtherFilms& further) {
   const Camera& camera = scene.scene.camera;
   const auto samples = std::uint64_t(camera.width) * std::uint64_t(camera.height) * std::uint64_t(spp);
   const bool known = arguments.target_error == 0;
   RenderResult result = [&] {
     Progress progress(label, known ? samples : 0, "samples", arguments.quiet, arguments.seconds);
-    return render(scene, sampler, render_options(arguments, spp, seed, &progress));
+    RenderOptions render_as = render_options(arguments, spp, seed, &progress);
+    render_as.further = further;
+    return render(scene, sampler, render_as);
   }();
   if (result.stats.non_finite > 0)
     print_warning(fmt::format("{}: of {} samples, those not finite are left out of the image: {}", label,
@@ -113,7 +119,7 @@ RenderResult render_with_progress(const std::string& label, const PreparedScene&
 }
 
 void write_render(const std::filesystem::path& file, const Image& image, const SceneArguments& arguments,
-                  const Scene& scene, const Run& run) {
+                  const Scene& scene, const Run& run, const std::vector<ImageLayer>& layers) {
   Metadata metadata = {{"scene", arguments.scene.string()},
                        {"sampler", run.sampler},
                        {"spp", fmt::format("{:.6g}", run.mean_spp)},
@@ -124,7 +130,7 @@ void write_render(const std::filesystem::path& file, const Image& image, const S
                        {"spectra", fmt::format("{}", fmt::join(scene.emission_names, ", "))},
                        {"version", "photopic " PHOTOPIC_VERSION}};
   if (is_float_image(file)) metadata["render_seconds"] = fmt::format("{:.3f}", run.render_seconds);
-  write_image(file, image, metadata, arguments.exposure);
+  write_image(file, image, metadata, arguments.exposure, layers);
 }
 
 }  // namespace photopic

@@ -25,19 +25,21 @@ Scene load_scene(const SceneArguments& arguments, const std::vector<std::filesys
 
 const Observer& standard_observer(const SceneArguments& arguments);
 
+Sequence sequence_of(const SceneArguments& arguments);
+
 /// The options of one render of `spp` samples; it stops at the first SIGINT.
 RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint32_t seed,
                              Progress* progress);
 
-/// Renders with a progress line and warns of samples that were not finite.
+/// Renders with a progress line and warns of samples that were not finite. @param further films to feed
 RenderResult render_with_progress(const std::string& label, const PreparedScene& scene,
                                   const WavelengthSampler& sampler, const SceneArguments& arguments, int spp,
-                                  std::uint32_t seed);
+                                  std::uint32_t seed, const FurtherFilms& further = {});
 
 /// Writes a render; EXR and PNG say how it was made. The render's time is in the EXR alone: other files are
 /// the same bits for the same seed.
 /// @throws InputError
 void write_render(const std::filesystem::path& file, const Image& image, const SceneArguments& arguments,
-                  const Scene& scene, const Run& run);
+                  const Scene& scene, const Run& run, const std::vector<ImageLayer>& layers = {});
 
 }  // namespace photopic

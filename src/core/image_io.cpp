@@ -71,6 +71,9 @@ Image to_linear_srgb(const Image& xyz) {
   return image;
 }
 
+/// Rows that EXR's zip compresses together.
+constexpr int kRowsAtOnce = 16;
+
 OIIO::ImageSpec make_spec(const Image& image, bool linear, const Metadata& metadata) {
   OIIO::ImageSpec spec(image.width, image.height, 3, linear ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
@@ -84,6 +87,35 @@ OIIO::ImageSpec make_spec(const Image& image, bool linear, const Metadata& metad
   }
   for (const auto& [key, value] : metadata) spec.attribute(key, value);
   return spec;
+}
+
+void add_layers(OIIO::ImageSpec& spec, const std::vector<ImageLayer>& layers) {
+  for (const ImageLayer& layer : layers) {
+    spec.channelnames.insert(spec.channelnames.end(), layer.channels.begin(), layer.channels.end());
+    for (const auto& [key, value] : layer.metadata) spec.attribute(key, value);
+  }
+  spec.nchannels = static_cast<int>(spec.channelnames.size());
+}
+
+/// A few rows at a time: hundreds of channels need no second copy.
+bool write_rows(OIIO::ImageOutput& output, const Image& image, const std::vector<ImageLayer>& layers) {
+  const auto channels = static_cast<std::size_t>(output.spec().nchannels);
+  const auto width = static_cast<std::size_t>(image.width);
+  std::vector<float> rows(kRowsAtOnce * width * channels);
+  for (int y = 0; y < image.height; y += kRowsAtOnce) {
+    const int end = std::min(y + kRowsAtOnce, image.height);
+    float* values = rows.data();
+    for (std::size_t i = static_cast<std::size_t>(y) * width; i < static_cast<std::size_t>(end) * width;
+         ++i) {
+      values = std::copy_n(&image.pixels[3 * i], 3, values);
+      for (const ImageLayer& layer : layers) {
+        layer.values(i, {values, layer.channels.size()});
+        values += layer.channels.size();
+      }
+    }
+    if (!output.write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, rows.data())) return false;
+  }
+  return true;
 }
 
 /// A file in memory. libjpeg writes to a FILE alone.
@@ -116,7 +148,7 @@ class MemoryFile {
 /// a full disk, and libjpeg ends the process.
 /// @param file its ending is the format, its name is for messages
 void encode_file(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
-                 double exposure_ev, MemoryFile& memory) {
+                 double exposure_ev, const std::vector<ImageLayer>& layers, MemoryFile& memory) {
   const auto fail = [&](const std::string& why) {
     throw InputError(file.string(), "cannot be written: " + reason(why), "choose another kind of file");
   };
@@ -125,9 +157,13 @@ void encode_file(const std::filesystem::path& file, const Image& image, const Me
   OIIO::Filesystem::IOFile stream(memory.stream(), OIIO::Filesystem::IOProxy::Write);
   if (!output->set_ioproxy(&stream)) fail("it cannot be made in memory");
   const bool linear = encoding_of(file) == Encoding::linear;
-  if (!output->open(file.string(), make_spec(image, linear, metadata))) fail(output->geterror());
-  const bool written = linear ? output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data())
-                              : output->write_image(OIIO::TypeDesc::UINT8, encode(image, exposure_ev).data());
+  OIIO::ImageSpec spec = make_spec(image, linear, metadata);
+  add_layers(spec, layers);
+  if (!output->open(file.string(), spec)) fail(output->geterror());
+  const bool written = !layers.empty() ? write_rows(*output, image, layers)
+                       : linear
+                           ? output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data())
+                           : output->write_image(OIIO::TypeDesc::UINT8, encode(image, exposure_ev).data());
   if (!written || !output->close()) fail(output->geterror());
 }
 
@@ -164,17 +200,18 @@ bool is_float_image(const std::filesystem::path& file) {
   return encoding_of(file) == Encoding::linear;
 }
 
-bool can_hold_xyz(const std::filesystem::path& file) {
+bool is_exr(const std::filesystem::path& file) {
   return lower_case_ending(file) == ".exr";
 }
 
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
-                 double exposure_ev) {
+                 double exposure_ev, const std::vector<ImageLayer>& layers) {
   check_writable_image(file);
   check_image_size(file, image.width, image.height);
-  const bool convert = image.space == ColorSpace::xyz && !can_hold_xyz(file);
+  const bool exr = is_exr(file), convert = image.space == ColorSpace::xyz && !exr;
   MemoryFile memory;
-  encode_file(file, convert ? to_linear_srgb(image) : image, metadata, exposure_ev, memory);
+  encode_file(file, convert ? to_linear_srgb(image) : image, metadata, exposure_ev,
+              exr ? layers : std::vector<ImageLayer>(), memory);
   write_file(file, memory.bytes());
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -36,12 +38,21 @@ struct Image {
 
 using Metadata = std::map<std::string, std::string>;
 
+/// Further channels of an EXR.
+struct ImageLayer {
+  std::vector<std::string> channels;  ///< their full names, as "depth.Z"
+  Metadata metadata;                  ///< what the file shall say of them
+  /// The values of a pixel (y·width + x), one a channel.
+  std::function<void(std::size_t pixel, std::span<float> values)> values;
+};
+
 /// Writes an image by the file's ending, XYZ as such only to .exr: .exr and .hdr as floats, .png and .jpg
 /// sRGB-encoded after an exposure of `exposure_ev` stops. EXR and PNG hold the metadata (PNG as text chunks),
-/// HDR and JPEG have no place for it. Written to a temporary name first: a failure leaves no half file.
+/// HDR and JPEG have no place for it. EXR alone holds the layers. Written to a temporary name first: a
+/// failure leaves no half file.
 /// @throws InputError when the ending is not known or the file cannot be written
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata = {},
-                 double exposure_ev = 0.0);
+                 double exposure_ev = 0.0, const std::vector<ImageLayer>& layers = {});
 
 /// What write_image was given as metadata, other texts with it; nothing where there is no such image.
 Metadata read_metadata(const std::filesystem::path& file);
@@ -62,8 +73,8 @@ void check_image_size(const std::filesystem::path& file, int width, int height);
 /// Whether the ending is one that write_image knows.
 bool is_image(const std::filesystem::path& file);
 
-/// Whether the ending is .exr in either case: alone it names its channels.
-bool can_hold_xyz(const std::filesystem::path& file);
+/// Whether the ending is .exr in either case: alone it names its channels, and so may hold XYZ and layers.
+bool is_exr(const std::filesystem::path& file);
 
 /// Whether the ending, .exr or .hdr in either case, is that of an image of floats.
 bool is_float_image(const std::filesystem::path& file);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/film.h"
+#include "core/further_films.h"
 #include "core/prepared_scene.h"
 #include "core/progress.h"
 #include "core/sample_sequence.h"
@@ -26,6 +27,7 @@ struct RenderOptions {
   int batch_size = 1024;  ///< paths advanced together; changes no bit of the result
   const std::atomic<bool>* stop = nullptr;  ///< set by another thread or a signal: return what is done so far
   Progress* progress = nullptr;             ///< advanced by samples
+  FurtherFilms further{};                   ///< fed as the film is; not by the oracle
   bool time_stages = false;                 ///< fill RenderStats::stages; for benchmarks
 };
 

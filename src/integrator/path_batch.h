@@ -106,7 +106,7 @@ struct PathBatch {
   std::vector<Hit> hits;
   std::vector<std::uint32_t> pixel;
   StreamArray stream;
-  std::vector<SampledWavelengths<N>> sampled;  ///< on the way from the draw to the look-ups
+  std::vector<SampledWavelengths<N>> sampled;
   std::vector<PathWavelengths<N>> wavelengths;
   std::vector<SampledSpectrum<N>> emission;
   std::vector<SampledSpectrum<N>> throughput;  ///< β, per wavelength

@@ -20,10 +20,12 @@ void PathTracer<N, kHas>::finish(std::span<const PathKey> paths, Film& film) {
       stats_.media_slips += batch_.media[slot].slipped();
     }
     const Xyz xyz = batch_.wavelengths[slot].to_xyz(batch_.radiance[slot]);
-    if (std::isfinite(xyz.x + xyz.y + xyz.z) && !is_lost(slot))
+    if (std::isfinite(xyz.x + xyz.y + xyz.z) && !is_lost(slot)) {
       film.add(batch_.pixel[slot], xyz);
-    else
+      options_.further.add(batch_.pixel[slot], xyz, batch_.sampled[slot], batch_.radiance[slot]);
+    } else {
       non_finite.push_back(paths[slot]);
+    }
   }
   if (!non_finite.empty()) count_non_finite(non_finite);
 }

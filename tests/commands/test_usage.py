@@ -9,7 +9,8 @@ from tiny_scene import write_tiny_scene
 
 COMMANDS = {
     "render": "--output --spp --sampler --wavelengths --emitter --distribution --resolution --camera --max-depth "
-    "--sequence --exposure --seed --threads --quiet --json --stats --batch-size --no-cache",
+    "--sequence --exposure --seed --threads --quiet --json --stats --batch-size --no-cache "
+    "--aov --spectral-bins",
     "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet "
     "--compare-wavelengths --nodes --reflectances",
     "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter",

@@ -1,0 +1,170 @@
+"""Layers and spectra of EXR files: names, values against the scene's, what is refused."""
+
+import math
+import re
+import signal
+import subprocess
+import time
+import unittest
+
+from exr import read_exr
+from harness import BINARY, DEADLINE, CommandTest
+
+AOVS = {
+    "albedo": ["albedo.R", "albedo.G", "albedo.B"],
+    "normal": ["normal.X", "normal.Y", "normal.Z"],
+    "depth": ["depth.Z"],
+    "samples": ["samples.Y"],
+    "variance": ["variance.R", "variance.G", "variance.B"],
+}
+
+
+class Layers(CommandTest):
+    def render(self, name, *options):
+        self.photopic("render", self.scene, "-o", name, "--sampler", "uniform", "--spp", "8", "--quiet", *options)
+
+    def read(self, name):
+        return read_exr(self.folder / name)
+
+    def at(self, channels, x, y, *names):
+        return [channels[name][32 * y + x] for name in names]
+
+    def test_any_subset_is_written(self):
+        self.render("plain.exr")
+        attributes, plain = self.read("plain.exr")
+        self.assertEqual(set(plain), {"R", "G", "B"})
+        self.assertNotIn("spectralLayoutVersion", attributes)
+        for aovs in [*([name] for name in AOVS), ["variance", "albedo", "variance"], list(AOVS)]:
+            self.render("a.exr", "--aov", ",".join(aovs), "--json", "a.json")
+            _, channels = self.read("a.exr")
+            self.assertEqual(set(channels), {"R", "G", "B"}.union(*(AOVS[name] for name in aovs)))
+            self.assertEqual(self.read_json("a.json")["aov"], aovs)
+            for name in "RGB":
+                self.assertEqual(channels[name], plain[name])
+        self.assertEqual(self.read_json("a.json")["spectral_bins"], 0)
+
+    def test_values_are_those_of_the_scene(self):
+        self.render("a.exr", "--aov", "albedo,normal,depth,samples,variance", "--aov", "depth")
+        _, channels = self.read("a.exr")
+        # The wall fills the middle, 5 m away; the floor lies below it, the sky beside it holds nothing.
+        for value, expected in zip(self.at(channels, 16, 16, *AOVS["albedo"]), [0.6, 0.1, 0.05]):
+            self.assertAlmostEqual(value, expected, delta=1e-3)
+        for value, expected in zip(self.at(channels, 16, 16, *AOVS["normal"]), [0, 0, 1]):
+            self.assertAlmostEqual(value, expected, delta=1e-6)
+        self.assertAlmostEqual(self.at(channels, 16, 16, "depth.Z")[0], 5, delta=1e-5)
+        for value, expected in zip(self.at(channels, 16, 28, *AOVS["normal"]), [0, 1, 0]):
+            self.assertAlmostEqual(value, expected, delta=1e-6)
+        for value in self.at(channels, 16, 28, *AOVS["albedo"]):
+            self.assertAlmostEqual(value, 0.7, delta=1e-3)
+        for name in AOVS["albedo"] + AOVS["normal"] + AOVS["depth"] + AOVS["variance"]:
+            self.assertEqual(self.at(channels, 0, 16, name), [0], name)
+        self.assertEqual(set(channels["samples.Y"]), {8})
+        self.assertGreater(min(self.at(channels, 16, 16, *AOVS["variance"])), 0)
+
+    def test_every_exr_has_them_and_no_other_file(self):
+        self.render("a.png", "-o", "a.exr", "-o", "b.EXR", "-o", "a.hdr", "--aov", "depth", "--spectral-bins", "2")
+        self.render("plain.png", "-o", "plain.hdr")
+        a, b = self.read("a.exr")[1], self.read("b.EXR")[1]
+        self.assertEqual(set(a), {"R", "G", "B", "depth.Z", "S0.477,500000nm", "S0.712,500000nm"})
+        self.assertEqual(a, b)
+        for ending in ["png", "hdr"]:
+            self.assertEqual((self.folder / f"a.{ending}").read_bytes(), (self.folder / f"plain.{ending}").read_bytes())
+
+    def test_diff_reads_the_color_among_layers(self):
+        for color in ["srgb", "xyz"]:
+            self.render("plain.exr", "--color", color)
+            self.render("a.exr", "--color", color, "--aov", ",".join(AOVS), "--spectral-bins", "5")
+            self.photopic("diff", "plain.exr", "a.exr", "--json", "diff.json")
+            self.assertEqual(self.read_json("diff.json")["runs"][0]["max_delta_e"], 0)
+
+    def test_variance_of_xyz_is_that_of_its_channels(self):
+        self.render("a.exr", "--aov", "variance", "--color", "xyz")
+        _, channels = self.read("a.exr")
+        self.assertEqual(set(channels), {"X", "Y", "Z", "variance.X", "variance.Y", "variance.Z"})
+        self.render("b.exr", "--aov", "variance")
+        _, rgb = self.read("b.exr")
+        # Y's variance is at least what the three channels would give alone and at most what they would in step.
+        weights = {"R": 0.2126, "G": 0.7152, "B": 0.0722}
+        for i in range(32 * 32):
+            steps = [weight * math.sqrt(rgb[f"variance.{c}"][i]) for c, weight in weights.items()]
+            self.assertLessEqual(channels["variance.Y"][i], (1 + 1e-3) * sum(steps) ** 2)
+        self.assertGreater(max(channels["variance.Y"]), 0)
+
+    def test_spectral_layout(self):
+        self.render("a.exr", "--spectral-bins", "470", "--color", "xyz", "--json", "a.json")
+        attributes, channels = self.read("a.exr")
+        self.assertEqual(attributes["spectralLayoutVersion"], b"1.0")
+        self.assertEqual(attributes["emissiveUnits"], b"W.m^-2.sr^-1")
+        spectrum = {name: values for name, values in channels.items() if name.startswith("S0.")}
+        self.assertEqual(len(spectrum), 470)
+        self.assertEqual(self.read_json("a.json")["spectral_bins"], 470)
+        for name in spectrum:
+            self.assertRegex(name, r"^S0\.\d{3},50{5}nm$")
+
+    def test_spectrum_of_a_line_holds_the_images_y(self):
+        """One bin holds all: ȳ·L·Δλ / ∫ȳ dλ = Y with ȳ(555 nm) = 1 and ∫ȳ dλ = 106.857 nm."""
+        self.photopic("render", self.scene, "-o", "a.exr", "--sampler", "illuminant", "--spp", "8", "--quiet",
+                      "--emitter", "line:555:0.5", "--spectral-bins", "47", "--color", "xyz")  # fmt: skip
+        _, channels = self.read("a.exr")
+        lit = [i for i, y in enumerate(channels["Y"]) if y > 0]
+        self.assertGreater(len(lit), 100)
+        for i in lit:
+            y = channels["S0.555,000000nm"][i] * 10 / 106.857
+            self.assertAlmostEqual(y / channels["Y"][i], 1, delta=1e-3)
+        for name, values in channels.items():
+            if name.startswith("S0.") and name != "S0.555,000000nm":
+                self.assertEqual(max(values), 0, name)
+
+    def test_same_bits_whatever_threads_and_batches(self):
+        options = ["--aov", ",".join(AOVS), "--spectral-bins", "7"]
+        self.render("one.exr", *options, "--threads", "1")
+        self.render("two.exr", *options, "--threads", "2", "--batch-size", "7")
+        self.assertEqual(self.read("one.exr")[1], self.read("two.exr")[1])
+
+    def test_samples_vary_with_the_target_error(self):
+        self.photopic("render", self.scene, "-o", "a.exr", "--sampler", "uniform", "--target-error", "1", "--quiet",
+                      "--aov", "samples,depth,variance", "--spectral-bins", "3", "--json", "a.json")  # fmt: skip
+        _, channels = self.read("a.exr")
+        samples = channels["samples.Y"]
+        self.assertAlmostEqual(sum(samples) / len(samples), self.read_json("a.json")["mean_spp"], delta=1e-3)
+        self.assertGreater(max(samples), min(samples))
+
+    def test_interrupted_and_timed_renders_have_them(self):
+        options = ["--sampler", "uniform", "--aov", "depth,samples", "--spectral-bins", "3", "--quiet"]
+        self.photopic("render", self.scene, "-o", "timed.exr", "--time", "0.3", *options)
+        process = subprocess.Popen(
+            [BINARY, "render", str(self.scene), "-o", "a.exr", "--spp", str(1 << 24), *options],
+            cwd=self.folder, stderr=subprocess.PIPE, text=True, env=self.environment,
+        )  # fmt: skip
+        time.sleep(2)
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=DEADLINE)
+        self.assertEqual(process.returncode, 130, stderr)
+        for name in ["timed.exr", "a.exr"]:
+            _, channels = self.read(name)
+            self.assertGreaterEqual(min(channels["samples.Y"]), 1)
+            self.assertAlmostEqual(self.at(channels, 16, 16, "depth.Z")[0], 5, delta=1e-5)
+            self.assertGreater(max(channels["S0.595,000000nm"]), 0)
+
+    def test_refused(self):
+        render = ["render", self.scene, "--sampler", "uniform", "--spp", "1"]
+        for names in ["colour", "depth,colour", "", "Depth", "depth;albedo"]:
+            self.assert_refused(render + ["-o", "a.exr", "--aov", names], "--aov", *AOVS)
+        for bins in ["0", "471", "-1", "many", "1.5"]:
+            self.assert_refused(render + ["-o", "a.exr", "--spectral-bins", bins], "--spectral-bins")
+        for option, value in [("--aov", "depth"), ("--spectral-bins", "4")]:
+            self.assert_refused(render + ["-o", "a.png", "-o", "a.hdr", option, value], option, "add -o NAME.exr")
+        self.assert_refused(
+            render + ["-o", "a.exr", "--spectral-bins", "470", "--resolution", "16384x16384"], "--spectral-bins", "GB"
+        )
+        self.assert_refused(["compare", self.scene, "--aov", "depth"], "--aov")
+        self.assertEqual([path.name for path in self.folder.iterdir() if path.suffix in {".exr", ".png"}], [])
+
+    def test_help_names_them(self):
+        text = re.sub(r"\s+", " ", self.photopic("render", "--help").stdout)
+        for word in [*AOVS, "--aov", "--spectral-bins", "S0.", "samples.Y", "W/(m² sr nm)"]:
+            self.assertIn(word, text)
+
+
+if __name__ == "__main__":
+    unittest.main()
