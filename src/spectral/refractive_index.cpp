@@ -40,6 +40,7 @@ struct Conductor {
 const std::vector<Conductor>& conductors() {
   static const std::vector<Conductor> all = {
 #include "spectral/tables/conductors.inc"
+#include "spectral/tables/further_conductors.inc"
   };
   return all;
 }

@@ -48,7 +48,8 @@ struct ConductorIndex {
   TabulatedSpectrum n, k;
 };
 
-/// A named metal ("Ag", "Al", "Au", "Cr", "Cu"); nothing when the name is not known.
+/// A named metal (of conductor_names(): elements by their symbols, and "brass"); nothing when the name is not
+/// known. Sources stand beside the tables, which are continued by their end values.
 std::optional<ConductorIndex> conductor_index(std::string_view name);
 std::vector<std::string_view> conductor_names();
 

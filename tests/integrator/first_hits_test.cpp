@@ -99,7 +99,7 @@ TEST(FirstHits, GlassAndMetal) {
 
 /// Of metals by their measured index it is what a mirror of them shows of white: rendered under D65.
 TEST(FirstHits, MeasuredMetal) {
-  for (const char* name : {"Au", "Cu"}) {
+  for (const char* name : {"Au", "Cu", "brass"}) {
     Material mirror = metal(ConstantSpectrum{0.0}, 0.0f);
     mirror.extensions.conductor = conductor_index(name);
     SceneBuilder b;

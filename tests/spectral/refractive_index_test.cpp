@@ -66,7 +66,7 @@ TEST(GlassIndex, KhronosDispersion) {
 }
 
 TEST(ConductorIndex, CoversTheRangeAndMatchesTables) {
-  EXPECT_EQ(conductor_names().size(), 5u);
+  EXPECT_EQ(conductor_names().size(), 11u);
   for (const std::string_view name : conductor_names()) {
     const ConductorIndex index = conductor_index(name).value();
     EXPECT_LE(index.n.lambda().front(), kLambdaMin) << name;
@@ -79,20 +79,44 @@ TEST(ConductorIndex, CoversTheRangeAndMatchesTables) {
   EXPECT_FALSE(conductor_index("Xx"));
 }
 
-/// ((n − 1)² + k²)/((n + 1)² + k²) against handbook reflectances of evaporated films (Hass 1965). Samples of
+/// Fresnel's at normal incidence.
+double normal_reflectance(double n, double k) {
+  return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
+}
+double normal_reflectance(std::string_view metal, double lambda) {
+  const ConductorIndex index = conductor_index(metal).value();
+  return normal_reflectance(index.n(lambda), index.k(lambda));
+}
+
+/// Against handbook reflectances of evaporated films (Hass 1965). Samples of
 /// one metal differ; a wrong unit, a wrong column or another metal would be far off.
 TEST(ConductorIndex, ReflectanceOfEvaporatedFilms) {
-  const auto reflectance = [](std::string_view name, double lambda) {
-    const ConductorIndex index = conductor_index(name).value();
-    const double n = index.n(lambda), k = index.k(lambda);
-    return ((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k);
-  };
-  EXPECT_NEAR(reflectance("Al", 550), 0.915, 0.01);
-  EXPECT_NEAR(reflectance("Ag", 600), 0.979, 0.015);
-  EXPECT_NEAR(reflectance("Au", 500), 0.477, 0.04);
-  EXPECT_NEAR(reflectance("Au", 600), 0.919, 0.01);
-  EXPECT_NEAR(reflectance("Cu", 500), 0.600, 0.01);
-  EXPECT_NEAR(reflectance("Cu", 650), 0.966, 0.06);
+  EXPECT_NEAR(normal_reflectance("Al", 550), 0.915, 0.01);
+  EXPECT_NEAR(normal_reflectance("Ag", 600), 0.979, 0.015);
+  EXPECT_NEAR(normal_reflectance("Au", 500), 0.477, 0.04);
+  EXPECT_NEAR(normal_reflectance("Au", 600), 0.919, 0.01);
+  EXPECT_NEAR(normal_reflectance("Cu", 500), 0.600, 0.01);
+  EXPECT_NEAR(normal_reflectance("Cu", 650), 0.966, 0.06);
+}
+
+/// Against other measurements of the same metals: Ni and W as Rakić et al. 1998 fit several sources, Fe by
+/// Ordal et al. 1988.
+TEST(ConductorIndex, ReflectanceOfFurtherMetals) {
+  EXPECT_NEAR(normal_reflectance("Ni", 437), normal_reflectance(1.606, 2.609), 0.06);
+  EXPECT_NEAR(normal_reflectance("Ni", 548), normal_reflectance(1.813, 3.263), 0.06);
+  EXPECT_NEAR(normal_reflectance("Ni", 704), normal_reflectance(2.187, 3.990), 0.06);
+  EXPECT_NEAR(normal_reflectance("W", 448), normal_reflectance(3.309, 2.601), 0.02);
+  EXPECT_NEAR(normal_reflectance("W", 544), normal_reflectance(3.495, 2.753), 0.02);
+  EXPECT_NEAR(normal_reflectance("W", 703), normal_reflectance(3.656, 2.790), 0.02);
+  EXPECT_NEAR(normal_reflectance("Fe", 667), normal_reflectance(2.874, 3.359), 0.03);
+  EXPECT_NEAR(normal_reflectance("Fe", 769), normal_reflectance(2.974, 3.547), 0.03);
+}
+
+/// Zinc moves copper's edge from the orange towards the green.
+TEST(ConductorIndex, BrassIsYellowerThanCopper) {
+  EXPECT_GT(normal_reflectance("brass", 550), normal_reflectance("Cu", 550) + 0.1);
+  EXPECT_LT(normal_reflectance("brass", 440), 0.5);
+  EXPECT_GT(normal_reflectance("brass", 620), 0.8);
 }
 
 }  // namespace
