@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 namespace photopic {
 
@@ -65,8 +66,11 @@ void for_each_lane(M mask, const F& f) {
 inline float lane(float a, int) {
   return a;
 }
-inline float lane(Lanes a, int i) {
-  return a[i];
+inline float lane(const Lanes& a, int i) {
+  // Not a[i]: for that GCC copies all lanes to memory, and again for each i.
+  float value;
+  std::memcpy(&value, reinterpret_cast<const float*>(&a) + i, sizeof(value));
+  return value;
 }
 inline void set_lane(float& a, int, float value) {
   a = value;

@@ -19,7 +19,7 @@ struct Vec3 {
   friend Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
   friend Vec3 operator*(Vec3 a, T s) { return {a.x * s, a.y * s, a.z * s}; }
   friend Vec3 operator*(T s, Vec3 a) { return a * s; }
-  friend Vec3 operator/(Vec3 a, T s) { return {a.x / s, a.y / s, a.z / s}; }
+  friend Vec3 operator/(Vec3 a, T s) { return a * (1.0f / s); }
   Vec3 operator-() const { return {-x, -y, -z}; }
   bool operator==(const Vec3&) const = default;
 };

@@ -41,6 +41,11 @@ struct SpectrumLanes {
     for (std::size_t j = 1; j < N; ++j) all += v[j];
     return all;
   }
+  Lanes max() const {
+    Lanes largest = v[0];
+    for (std::size_t j = 1; j < N; ++j) largest = photopic::max(largest, v[j]);
+    return largest;
+  }
   /// See SampledSpectrum; a mask.
   IntLanes is_black() const {
     IntLanes black = v[0] <= 0.0f;

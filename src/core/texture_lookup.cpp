@@ -2,11 +2,12 @@
 
 #include "core/texture.h"
 #include "spectral/color.h"
+#include "spectral/float_vectors.h"
 
 namespace photopic {
 namespace {
 
-using Texel = std::array<float, 4>;
+using Texel = Float4;
 
 using Decoded = std::array<float, 256>;
 
@@ -51,10 +52,10 @@ template <typename Texels>
 Texel fetch(const Texels& texels, std::size_t i, int channels) {
   if (channels < 3) {
     const float grey = texels.color(i);
-    return {grey, grey, grey, channels == 2 ? texels.alpha(i + 1) : 1.0f};
+    return Texel{grey, grey, grey, channels == 2 ? texels.alpha(i + 1) : 1.0f};
   }
-  return {texels.color(i), texels.color(i + 1), texels.color(i + 2),
-          channels == 4 ? texels.alpha(i + 3) : 1.0f};
+  return Texel{texels.color(i), texels.color(i + 1), texels.color(i + 2),
+               channels == 4 ? texels.alpha(i + 3) : 1.0f};
 }
 
 /// Into [0, 1].
@@ -90,10 +91,8 @@ std::size_t first_number(const TextureImage& image, int x, int y) {
   return place * static_cast<std::size_t>(image.channels);
 }
 
-Texel mix(const Texel& a, const Texel& b, float f) {
-  Texel t;
-  for (std::size_t c = 0; c < 4; ++c) t[c] = a[c] + (b[c] - a[c]) * f;
-  return t;
+Texel mix(Texel a, Texel b, float f) {
+  return a + (b - a) * f;
 }
 
 template <typename Texels>

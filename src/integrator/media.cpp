@@ -1,7 +1,6 @@
 #include "integrator/media.h"
 
 #include <algorithm>
-#include <ranges>
 #include <tuple>
 #include <vector>
 
@@ -141,7 +140,8 @@ PathMedia media_at(const PreparedScene& scene, Vec3f point) {
   }
   for (const std::uint32_t material : entered) take_last(around, material);  // turned inside out
   MediaStack media;
-  for (const std::uint32_t material : around | std::views::reverse) media.enter(scene.surfaces, material);
+  std::ranges::reverse(around);
+  for (const std::uint32_t material : around) media.enter(scene.surfaces, material);
   return PathMedia(media);
 }
 

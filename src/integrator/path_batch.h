@@ -32,6 +32,17 @@ class StreamArray {
   std::vector<std::uint32_t> seed_, index_reversed_;
 };
 
+/// Drops the slots that do not `stay`. Which those are cannot be foretold, so there is no branch for each.
+template <typename Stays>
+void keep_if(std::vector<std::uint32_t>& slots, const Stays& stays) {
+  std::size_t kept = 0;
+  for (const std::uint32_t slot : slots) {
+    slots[kept] = slot;
+    kept += stays(slot) ? 1 : 0;
+  }
+  slots.resize(kept);
+}
+
 /// The state of many paths as structure of arrays, an entry a slot. Slots stay; queues of slot numbers shrink
 /// as paths end.
 template <int N>

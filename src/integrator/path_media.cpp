@@ -25,10 +25,10 @@ void PathTracer<N, kHas>::pass_hidden_surfaces() {
   const auto is_seen = [&](std::uint32_t slot) { return !batch_.media[slot].hidden(); };
   std::vector<std::uint32_t> arrived;
   for (int i = 0; i < kMostHidden; ++i) {
-    const auto hidden = std::ranges::stable_partition(batch_.active, is_seen);
-    if (i == 0 && hidden.empty()) return;
-    arrived.insert(arrived.end(), batch_.active.begin(), hidden.begin());
-    batch_.active.erase(batch_.active.begin(), hidden.begin());
+    const auto hidden = std::stable_partition(batch_.active.begin(), batch_.active.end(), is_seen);
+    if (i == 0 && hidden == batch_.active.end()) return;
+    arrived.insert(arrived.end(), batch_.active.begin(), hidden);
+    batch_.active.erase(batch_.active.begin(), hidden);
     if (batch_.active.empty()) break;
     for (const std::uint32_t slot : batch_.active) {
       const Vec3f direction = batch_.rays.direction[slot];

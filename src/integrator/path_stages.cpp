@@ -142,8 +142,8 @@ template <int N, Features kHas>
 void PathTracer<N, kHas>::absorb_and_emit() {
   const Geometry& geometry = scene_.scene.geometry;
   if (kHas.environment && scene_.scene.environment) escape();
-  std::erase_if(batch_.active, [&](std::uint32_t slot) { return batch_.hits[slot].shape == kNoHit; });
-  if (has_media()) std::erase_if(batch_.active, [&](std::uint32_t slot) { return !travel(slot); });
+  keep_if(batch_.active, [&](std::uint32_t slot) { return batch_.hits[slot].shape != kNoHit; });
+  if (has_media()) keep_if(batch_.active, [&](std::uint32_t slot) { return travel(slot); });
   for (const std::uint32_t slot : batch_.active) {
     const Hit& hit = batch_.hits[slot];
     const Surface& surface = scene_.surfaces[material_at(hit)];
@@ -196,8 +196,8 @@ template <int N, Features kHas>
 void PathTracer<N, kHas>::trace_shadow_rays() {
   scene_.accel.occluded(batch_.shadow_rays, batch_.shadowed, batch_.blocked);
   stats_.shadow_rays += batch_.shadowed.size();
-  for (const std::uint32_t slot : batch_.shadowed)
-    if (!batch_.blocked[slot]) batch_.radiance[slot] += batch_.shadow_radiance[slot];
+  keep_if(batch_.shadowed, [&](std::uint32_t slot) { return !batch_.blocked[slot]; });
+  for (const std::uint32_t slot : batch_.shadowed) batch_.radiance[slot] += batch_.shadow_radiance[slot];
   for (const std::uint32_t slot : batch_.pane_shadowed) {
     if (!batch_.blocked[slot]) continue;
     const RayArray& rays = batch_.shadow_rays;
@@ -216,13 +216,13 @@ void PathTracer<N, kHas>::roulette(int depth) {
   for (std::size_t first = 0; first < batch_.active.size(); first += kLanes) {
     const Packet packet(batch_.active, first);
     const Lanes u = batch_.stream.gather(packet).get_1d(bounce_dimension(depth, kRoulette));
-    for (int i = 0; i < packet.count; ++i) {
-      const std::uint32_t slot = packet[i];
-      const float survival = kSpared * batch_.throughput[slot].max() * batch_.eta_scale[slot];
-      if (u[i] >= survival) continue;
-      if (survival < 1.0f) batch_.throughput[slot] *= 1.0f / survival;
-      batch_.active[alive++] = slot;
-    }
+    const Lanes survival =
+        kSpared * gather(batch_.throughput.data(), packet).max() * gather(batch_.eta_scale.data(), packet);
+    const Lanes gain = select(survival < 1.0f, 1.0f / survival, Lanes{} + 1.0f);
+    for_each_lane(~(u >= survival) & packet.used(), [&](int i) {
+      batch_.throughput[packet[i]] *= lane(gain, i);
+      batch_.active[alive++] = packet[i];
+    });
   }
   batch_.active.resize(alive);
 }

@@ -116,7 +116,7 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
   for_each_lane((value.pdf != 0.0f) & ~arriving.is_black(), [&](int i) {
     const std::uint32_t slot = packet[i];
     const Vec3f wi = lane(lights.direction, i);
-    const float distance = lights.distance[i];
+    const float distance = lane(lights.distance, i);
     SampledSpectrum<N>& radiance = batch.shadow_radiance[slot];
     radiance = by_path[static_cast<std::size_t>(i)];
     if (kHas.environment && lights.environment[i]) {
@@ -160,8 +160,8 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
     batch.rays.origin.set(slot, lane(origin, i));
     batch.rays.direction.set(slot, lane(wi, i));
     batch.vertex.set(slot, lane(vertices.point.position, i));
-    batch.bsdf_pdf[slot] = samples.pdf[i];
-    batch.eta_scale[slot] *= sqr(samples.eta[i]);
+    batch.bsdf_pdf[slot] = lane(samples.pdf, i);
+    batch.eta_scale[slot] *= sqr(lane(samples.eta, i));
     if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(inwards[i]);
     batch.active.push_back(slot);
   });

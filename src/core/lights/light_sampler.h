@@ -109,4 +109,22 @@ class LightSampler {
   std::optional<std::uint32_t> only_area_light_;  ///< where there is no other light
 };
 
+inline LightSampler::Pick LightSampler::pick(std::span<const float> spectra, double u_choice) const {
+  // The spectrum.
+  auto k = static_cast<std::size_t>(only_spectrum_);
+  float probability = 1.0f;
+  if (!spectra.empty()) {
+    for (k = 0; k < spectra.size() && u_choice >= spectra[k]; ++k) u_choice -= spectra[k];
+    if (k == spectra.size()) return {};
+    probability = spectra[k];
+    u_choice = std::min(u_choice / probability, 1.0 - 0x1p-53);
+  }
+
+  // The light.
+  const Group& group = groups_[k];
+  const std::uint32_t entry = group.table.sample(u_choice), light = group.lights[entry];
+  probability *= group.table.probability(entry);
+  return {light, probability, light == kNoLight ? &group.tree : nullptr, u_choice};
+}
+
 }  // namespace photopic
