@@ -32,10 +32,11 @@ void bind_layers(CLI::App& command, RenderArguments& a) {
           "--aov", a.aovs,
           "Layers of every EXR, of the first surface that a pixel's rays meet, glass and mirrors too: albedo "
           "(albedo.R .G .B; base colour, linear sRGB), normal (normal.X .Y .Z; of shading, world space, "
-          "towards the viewer), depth (depth.Z; along the camera's axis [m]); all 0 where there is none, "
-          "means over the pixel's first 64 samples. Of the picture: samples (samples.Y; their number), "
-          "variance (variance.R .G .B or .X .Y .Z; of the pixel's mean, samples taken as independent: too "
-          "large for --sequence sobol)")
+          "towards the viewer, as long as it is the same all over a pixel), depth (depth.Z; along the "
+          "camera's axis [m], of the rays that meet something); means over the pixel's first 64 samples, 0 "
+          "where nothing is met. Of the picture: samples (samples.Y; their number), variance (variance.R .G "
+          ".B or .X .Y .Z; of the pixel's mean, samples taken as independent: too large for --sequence "
+          "sobol)")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(one_of(kAovs))
@@ -45,9 +46,10 @@ void bind_layers(CLI::App& command, RenderArguments& a) {
           "--spectral-bins", a.spectral_bins,
           "Every EXR holds the spectrum, too, in N equal bins over 360-830 nm, in the layout of Fichet et "
           "al. "
-          "2021: channels S0.<centre>nm, a bin's mean spectral radiance L per nm, scaled so that "
-          "Y = ∫ȳ·L dλ / ∫ȳ dλ; where Y is in cd/m², L / 72983 is in W/(m² sr nm). Takes 8 bytes a bin and "
-          "pixel. --sampler uniform serves all bins alike")
+          "2021: channels S0.<centre>nm, a bin's mean spectral radiance [W/(m² sr nm), where the scene's "
+          "luminances are in cd/m²]. Takes about 12 bytes of memory a bin and pixel. --sampler uniform "
+          "serves "
+          "all bins alike")
       ->check(CLI::Range(1, kMostSpectralBins))
       ->type_name("N");
 }

@@ -75,7 +75,9 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
       ->check(CLI::Range(1, 65536))
       ->type_name("N");
   command
-      .add_option("--batch-size", a.batch_size, "Paths advanced together; changes the speed, not the image")
+      .add_option("--batch-size", a.batch_size,
+                  "Paths advanced together; changes the speed, not the image, but for which of two surfaces "
+                  "in exactly one place is met")
       ->capture_default_str()
       ->check(CLI::Range(1, 1 << 20))
       ->type_name("N");

@@ -100,8 +100,8 @@ std::string format_stats(const Scene& scene, const Run& run, const PhaseTimes& t
       static_cast<double>(run.stats.shadow_rays) / paths);
   add("speed:    {:.3f} M samples/s, {:.3f} M rays/s\n", run.samples_per_second() * 1e-6,
       run.rays_per_second() * 1e-6);
-  add("seconds:  load {:.3f}, prepare {:.3f}, optimise {:.3f}, render {:.3f}, write {:.3f}\n", times.load,
-      times.prepare, times.optimize, run.render_seconds, times.write);
+  add("seconds:  load {:.3f}, prepare {:.3f}, optimise {:.3f}, render {:.3f}, layers {:.3f}, write {:.3f}\n",
+      times.load, times.prepare, times.optimize, run.render_seconds, times.layers, times.write);
   add("means:    {}\n", format_means(run));
   return text;
 }

@@ -7,13 +7,15 @@
 
 #include "error.h"
 #include "integrator/first_hits.h"
+#include "interrupt.h"
 #include "scene_setup.h"
+#include "spectral/observer.h"
 
 namespace photopic {
 namespace {
 
-/// Of spectra, 16 GB.
-constexpr double kMostSums = 2e9;
+/// Of spectra. A sum takes 8 bytes; while the file is put together 4 more.
+constexpr double kMostBytes = 24e9, kBytesOfSum = 12;
 
 bool asks_for(const RenderArguments& arguments, const char* aov) {
   return std::ranges::find(arguments.aovs, aov) != arguments.aovs.end();
@@ -39,9 +41,12 @@ void add_first_hits(const RenderArguments& arguments, const PreparedScene& scene
              depth = asks_for(arguments, "depth");
   if (!albedo && !normal && !depth) return;
   const SceneArguments& options = arguments.scene;
-  const auto hits =
-      std::make_shared<const FirstHits>(first_hits(scene, film, sequence_of(options), options.seed));
-  if (albedo) layers.push_back(image_layer("albedo", "RGB", hits, &FirstHits::albedo));
+  const auto hits = std::make_shared<const FirstHits>(
+      first_hits(scene, film, sequence_of(options), options.seed, interrupt_flag()));
+  if (albedo) {
+    layers.push_back(image_layer("albedo", "RGB", hits, &FirstHits::albedo));
+    layers.back().metadata["albedo"] = "linear sRGB";  // whatever the picture's own
+  }
   if (normal) layers.push_back(image_layer("normal", "XYZ", hits, &FirstHits::normal));
   if (depth)
     layers.push_back({channels("depth", "Z"), {}, [hits](std::size_t pixel, std::span<float> values) {
@@ -68,8 +73,8 @@ ImageLayer variance_layer(bool xyz, const Film& film, const CovarianceFilm& cova
           }};
 }
 
-/// Fichet, Pacanowski, Wilkie 2021: An OpenEXR Layout for Spectral Images. Radiance is understood per nm, as
-/// pbrt writes it.
+/// Fichet, Pacanowski, Wilkie 2021: An OpenEXR Layout for Spectral Images. Radiance is per nm, as in pbrt.
+/// What counts in a luminance [cd/m²] is 683.002 lm/W at 555 nm: CIE 018:2019.
 ImageLayer spectral_layer(const Film& film, const SpectralFilm& spectrum) {
   std::vector<std::string> names;
   for (int bin = 0; bin < spectrum.bins(); ++bin) {
@@ -77,19 +82,21 @@ ImageLayer spectral_layer(const Film& film, const SpectralFilm& spectrum) {
     std::ranges::replace(centre, '.', ',');
     names.push_back("S0." + centre + "nm");
   }
+  const double luminance = 683.002 * Observer::cie1931().y_integral();  // where spectral radiance is 1
   return {std::move(names),
           {{"spectralLayoutVersion", "1.0"}, {"emissiveUnits", "W.m^-2.sr^-1"}},
-          [&film, &spectrum](std::size_t pixel, std::span<float> values) {
+          [&film, &spectrum, luminance](std::size_t pixel, std::span<float> values) {
             for (int bin = 0; bin < spectrum.bins(); ++bin)
-              values[static_cast<std::size_t>(bin)] = static_cast<float>(spectrum.mean(film, pixel, bin));
+              values[static_cast<std::size_t>(bin)] =
+                  static_cast<float>(spectrum.mean(film, pixel, bin) / luminance);
           }};
 }
 
 void check_memory(const RenderArguments& arguments, const Camera& camera) {
-  const double sums = 1.0 * arguments.spectral_bins * camera.width * camera.height;
-  if (sums > kMostSums)
+  const double bytes = kBytesOfSum * arguments.spectral_bins * camera.width * camera.height;
+  if (bytes > kMostBytes)
     throw InputError(fmt::format("--spectral-bins {}", arguments.spectral_bins),
-                     fmt::format("would take {:.0f} GB at {}x{}", 8e-9 * sums, camera.width, camera.height),
+                     fmt::format("would take {:.0f} GB at {}x{}", 1e-9 * bytes, camera.width, camera.height),
                      "ask for fewer bins or pixels");
 }
 

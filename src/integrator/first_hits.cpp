@@ -11,8 +11,10 @@
 namespace photopic {
 namespace {
 
-Vec3f to_vec3f(const Rgb& c) {
-  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+/// Saturated reflectances lie outside sRGB's gamut.
+Vec3f clamped(const Rgb& c) {
+  const auto clamp = [](double x) { return static_cast<float>(std::clamp(x, 0.0, 1.0)); };
+  return {clamp(c.r), clamp(c.g), clamp(c.b)};
 }
 
 /// Fresnel's reflectance at normal incidence, from air.
@@ -29,7 +31,7 @@ Spectrum normal_reflectance(const ConductorIndex& index) {
 /// Of a surface where nothing varies it.
 Vec3f uniform_albedo(const Surface& surface) {
   const bool metal = surface.extensions && surface.extensions->conductor;
-  return to_vec3f(
+  return clamped(
       color_under_d65(metal ? normal_reflectance(*surface.extensions->conductor) : surface.base_color));
 }
 
@@ -67,6 +69,7 @@ class FirstHitTracer {
   Vec3f albedo_at(const Hit& hit) const {
     const std::uint32_t material = scene_.scene.geometry.shapes[hit.shape].material;
     const Surface& surface = scene_.surfaces[material];
+    if (surface.unlit) return surface.emissive_rgb({scene_.scene.geometry, hit});
     const bool metal = surface.extensions && surface.extensions->conductor;
     if (!surface.base_varies || metal) return albedos_[material];
     const Vec3f rgb = surface.base_rgb({scene_.scene.geometry, hit});
@@ -85,13 +88,15 @@ class FirstHitTracer {
 
 }  // namespace
 
-FirstHits first_hits(const PreparedScene& scene, const Film& film, Sequence sequence, std::uint32_t seed) {
+FirstHits first_hits(const PreparedScene& scene, const Film& film, Sequence sequence, std::uint32_t seed,
+                     const std::atomic<bool>& hurry) {
   const int width = film.width(), height = film.height();
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   FirstHits hits{Image(width, height), Image(width, height), std::vector<float>(pixels)};
   const FirstHitTracer tracer(scene);
   tbb::parallel_for(std::size_t{0}, pixels, [&](std::size_t pixel) {
-    const auto samples = static_cast<std::uint32_t>(std::min(film.count(pixel), kMostFirstHits));
+    const std::uint64_t most = hurry.load(std::memory_order_relaxed) ? 1 : kMostFirstHits;
+    const auto samples = static_cast<std::uint32_t>(std::min(film.count(pixel), most));
     tracer.trace(static_cast<std::uint32_t>(pixel), samples, sequence, seed, hits);
   });
   return hits;

@@ -23,8 +23,10 @@ struct RenderOptions {
   Sequence sequence = Sequence::sobol;
   const Observer* observer = &Observer::cie1931();  ///< whose XYZ the film gathers
   std::uint32_t seed = 0;
-  int max_depth = 64;     ///< surfaces met by a path at most; light reaching the camera directly has depth 1
-  int batch_size = 1024;  ///< paths advanced together; changes no bit of the result
+  int max_depth = 64;  ///< surfaces met by a path at most; light reaching the camera directly has depth 1
+  /// Paths advanced together. Changes no bit of the result, but for which of two surfaces in exactly one
+  /// place is met.
+  int batch_size = 1024;
   const std::atomic<bool>* stop = nullptr;  ///< set by another thread or a signal: return what is done so far
   Progress* progress = nullptr;             ///< advanced by samples
   FurtherFilms further{};                   ///< fed as the film is; not by the oracle

@@ -102,14 +102,14 @@ class Layers(CommandTest):
             self.assertRegex(name, r"^S0\.\d{3},50{5}nm$")
 
     def test_spectrum_of_a_line_holds_the_images_y(self):
-        """One bin holds all: ȳ·L·Δλ / ∫ȳ dλ = Y with ȳ(555 nm) = 1 and ∫ȳ dλ = 106.857 nm."""
+        """One bin holds all: 683.002 lm/W · ȳ·L·Δλ = Y with ȳ(555 nm) = 1."""
         self.photopic("render", self.scene, "-o", "a.exr", "--sampler", "illuminant", "--spp", "8", "--quiet",
                       "--emitter", "line:555:0.5", "--spectral-bins", "47", "--color", "xyz")  # fmt: skip
         _, channels = self.read("a.exr")
         lit = [i for i, y in enumerate(channels["Y"]) if y > 0]
         self.assertGreater(len(lit), 100)
         for i in lit:
-            y = channels["S0.555,000000nm"][i] * 10 / 106.857
+            y = channels["S0.555,000000nm"][i] * 10 * 683.002
             self.assertAlmostEqual(y / channels["Y"][i], 1, delta=1e-3)
         for name, values in channels.items():
             if name.startswith("S0.") and name != "S0.555,000000nm":

@@ -21,8 +21,9 @@ Film counted(const Scene& scene, int samples) {
   return film;
 }
 
-FirstHits hits_of(const PreparedScene& scene, int samples) {
-  return first_hits(scene, counted(scene.scene, samples), Sequence::sobol, 3);
+FirstHits hits_of(const PreparedScene& scene, int samples, bool hurry = false) {
+  const std::atomic<bool> in_hurry = hurry;
+  return first_hits(scene, counted(scene.scene, samples), Sequence::sobol, 3, in_hurry);
 }
 
 void expect_near(const float* seen, Vec3d expected, double tolerance) {
@@ -110,9 +111,34 @@ TEST(FirstHits, MeasuredMetal) {
     const Xyz seen = render(scene, UniformWavelengths{4}, {.spp = 1 << 14}).film.image_mean();
     const Rgb color = xyz_to_linear_srgb(seen);
     const FirstHits hits = hits_of(scene, 1);
-    expect_near(hits.albedo.pixels.data(), {color.r, color.g, color.b}, 2e-3);
+    expect_near(hits.albedo.pixels.data(), {std::min(color.r, 1.0), color.g, color.b}, 2e-3);
     EXPECT_GT(hits.albedo.pixels[0], hits.albedo.pixels[2] + 0.2f) << name;
   }
+}
+
+/// Unlit surfaces show their colour; what is more saturated than sRGB is clamped.
+TEST(FirstHits, UnlitAndSaturated) {
+  Material unlit = diffuse(ConstantSpectrum{0.5});
+  unlit.unlit = true;
+  unlit.emissive_factor = {0.2f, 0.4f, 0.6f};
+  const Material laser_red = diffuse(TabulatedSpectrum({650, 651, 700, 701}, {0, 1, 1, 0}, Beyond::zero));
+  const auto albedo_of = [](const Material& material) {
+    SceneBuilder b;
+    b.floor({0, 0, 0}, 10, 10, b.material(material));
+    b.camera({0, 0, 1}, {0, 0, 0}, 10, 1, 1);
+    return hits_of(PreparedScene(b.build()), 2).albedo.pixels;
+  };
+  expect_near(albedo_of(unlit).data(), {0.2, 0.4, 0.6}, 1e-6);
+  const auto red = albedo_of(laser_red);
+  EXPECT_GT(red[0], 0.05f);
+  EXPECT_EQ(red[1], 0.0f);
+}
+
+TEST(FirstHits, OneSampleInAHurry) {
+  const PreparedScene scene(glass_room(12).build());
+  const FirstHits hurried = hits_of(scene, 9, true), one = hits_of(scene, 1);
+  EXPECT_EQ(hurried.albedo.pixels, one.albedo.pixels);
+  EXPECT_EQ(hurried.depth, one.depth);
 }
 
 TEST(FirstHits, ThreadsChangeNoBit) {
