@@ -45,11 +45,9 @@ void bind_layers(CLI::App& command, RenderArguments& a) {
       .add_option(
           "--spectral-bins", a.spectral_bins,
           "Every EXR holds the spectrum, too, in N equal bins over 360-830 nm, in the layout of Fichet et "
-          "al. "
-          "2021: channels S0.<centre>nm, a bin's mean spectral radiance [W/(m² sr nm), where the scene's "
-          "luminances are in cd/m²]. Takes about 12 bytes of memory a bin and pixel. --sampler uniform "
-          "serves "
-          "all bins alike")
+          "al. 2021: channels S0.<centre>nm, a bin's mean spectral radiance [W/(m² sr nm), where the "
+          "scene's luminances are in cd/m²]. Takes about 12 bytes of memory a bin and pixel. --sampler "
+          "uniform serves all bins alike")
       ->check(CLI::Range(1, kMostSpectralBins))
       ->type_name("N");
 }

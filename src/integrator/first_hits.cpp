@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/fresnel.h"
 #include "integrator/path_start.h"
 #include "integrator/vertex.h"
 #include "spectral/reflectance_color.h"
@@ -17,13 +18,12 @@ Vec3f clamped(const Rgb& c) {
   return {clamp(c.r), clamp(c.g), clamp(c.b)};
 }
 
-/// Fresnel's reflectance at normal incidence, from air.
+/// At normal incidence, from air.
 Spectrum normal_reflectance(const ConductorIndex& index) {
   std::vector<double> lambda, value;
   for (double l = kLambdaMin; l <= kLambdaMax; l += 1.0) {
-    const double n = index.n(l), k = index.k(l);
     lambda.push_back(l);
-    value.push_back(((n - 1) * (n - 1) + k * k) / ((n + 1) * (n + 1) + k * k));
+    value.push_back(fresnel_conductor(1.0f, static_cast<float>(index.n(l)), static_cast<float>(index.k(l))));
   }
   return TabulatedSpectrum(std::move(lambda), std::move(value), Beyond::end_value);
 }
