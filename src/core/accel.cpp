@@ -29,14 +29,17 @@ void store(T* to, Vector values) {
   std::memcpy(to, &values, sizeof(values));
 }
 
-/// Of the slots' rays those are valid that Embree takes.
-void load(const RayArray& rays, const Packet& slots, RTCRay16& packet, std::array<int, kPacket>& valid) {
-  const Vec3Lanes o = rays.origin.gather(slots), d = rays.direction.gather(slots);
+/// Of the slots' rays those are valid that Embree takes. @return t_max
+Lanes load(const RayArray& rays, const Packet& slots, RTCRay16& packet, std::array<int, kPacket>& valid) {
+  const Vec3Lanes o = rays.origin.gather_vectors(slots);
+  const auto [x, y, z, t_max] = rays.direction.gather(slots);
+  const Vec3Lanes d{x, y, z};
   store(packet.org_x, o.x), store(packet.org_y, o.y), store(packet.org_z, o.z);
   store(packet.dir_x, d.x), store(packet.dir_y, d.y), store(packet.dir_z, d.z);
   store(packet.tnear, Lanes{}), store(packet.time, Lanes{});
   store(packet.mask, ~UintLanes{}), store(packet.flags, UintLanes{});
   store(valid.data(), is_traceable(RayLanes{o, d}) & slots.used());
+  return t_max;
 }
 
 }  // namespace
@@ -107,8 +110,7 @@ void Accel::occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
     const Packet packet(slots, first);
     alignas(64) RTCRay16 query;
     alignas(64) std::array<int, kPacket> valid;
-    load(rays, packet, query, valid);
-    store(query.tfar, gather(rays.t_max.data(), packet));
+    store(query.tfar, load(rays, packet, query, valid));
     tree_->occluded(valid.data(), query);
     for (int i = 0; i < packet.count; ++i) blocked[packet[i]] = query.tfar[i] < 0.0f;
   }

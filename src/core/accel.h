@@ -1,36 +1,28 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "core/quads.h"
+#include "core/row_array.h"
 #include "core/scene.h"
 
 namespace photopic {
 
-/// Three floats an element, as structure of arrays.
-struct Vec3Array {
-  std::vector<float> x, y, z;
-
-  explicit Vec3Array(std::size_t size) : x(size), y(size), z(size) {}
-  Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
-  void set(std::size_t i, Vec3f v) { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
-  void scatter(const Packet& p, const Vec3Lanes& v) {
-    photopic::scatter(x.data(), p, v.x), photopic::scatter(y.data(), p, v.y),
-        photopic::scatter(z.data(), p, v.z);
-  }
-  Vec3Lanes gather(const Packet& p) const {
-    return {photopic::gather(x.data(), p), photopic::gather(y.data(), p), photopic::gather(z.data(), p)};
-  }
-};
-
 /// Rays that stand in slots; t counts in lengths of the direction.
 struct RayArray {
-  Vec3Array origin, direction;
-  std::vector<float> t_max;
-  explicit RayArray(std::size_t size) : origin(size), direction(size), t_max(size) {}
+  RowArray origin;
+  RowArray direction;  ///< and t_max
+  explicit RayArray(std::size_t size) : origin(size), direction(size) {}
+
+  Ray operator[](std::size_t i) const { return {origin[i], direction[i]}; }
+  float t_max(std::size_t i) const { return direction.w(i); }
+  void set(std::size_t i, const Ray& ray, float t_max = std::numeric_limits<float>::infinity()) {
+    origin.set(i, ray.origin), direction.set(i, ray.direction, t_max);
+  }
 };
 
 inline constexpr std::uint32_t kNoHit = ~0u, kNoInstance = ~0u;

@@ -39,12 +39,9 @@ class SpectralFilm {
 
   /// The balance-heuristic estimate: Σ_j L(λ_j) / S(λ_j), each in the bin of its wavelength.
   template <int N>
-  void add(std::size_t pixel, const SampledWavelengths<N>& w, SampledSpectrum<N> radiance) {
+  void add(std::size_t pixel, SampledSpectrum<N> lambda, SampledSpectrum<N> radiance_over_density) {
     double* sums = &sums_[pixel * static_cast<std::size_t>(bins_)];
-    for (int j = 0; j < N; ++j) {
-      const auto k = static_cast<std::size_t>(j);
-      sums[bin_of(w.lambda[k])] += radiance[j] / w.density_sum[k];
-    }
+    for (int j = 0; j < N; ++j) sums[bin_of(lambda[j])] += radiance_over_density[j];
   }
 
   int bins() const { return bins_; }
@@ -70,10 +67,10 @@ struct FurtherFilms {
   SpectralFilm* spectrum = nullptr;
 
   template <int N>
-  void add(std::size_t pixel, const Xyz& xyz, const SampledWavelengths<N>& w,
-           SampledSpectrum<N> radiance) const {
+  void add(std::size_t pixel, const Xyz& xyz, SampledSpectrum<N> lambda,
+           SampledSpectrum<N> radiance_over_density) const {
     if (covariance != nullptr) covariance->add(pixel, xyz);
-    if (spectrum != nullptr) spectrum->add(pixel, w, radiance);
+    if (spectrum != nullptr) spectrum->add(pixel, lambda, radiance_over_density);
   }
 };
 

@@ -18,15 +18,19 @@ struct OpaqueMaterial {
   T r0;  ///< the dielectric's reflectance at normal incidence
 };
 
+/// Of a dielectric, in air. @param ior 0: of a perfect mirror
+inline float normal_reflectance(float ior) {
+  return ior == 0.0f ? 1.0f : sqr((ior - 1.0f) / (ior + 1.0f));
+}
+
 template <int N>
 OpaqueMaterial<N, float> opaque_material(const ShadingMaterial<N>& m) {
-  const float ior = m.surface().ior;
   return {.base = m.base_color(),
           .specular_color = m.specular_color(),
           .roughness = m.roughness(),
           .metallic = m.opaque_metallic(),
           .specular = m.specular(),
-          .r0 = ior == 0.0f ? 1.0f : sqr((ior - 1.0f) / (ior + 1.0f))};
+          .r0 = normal_reflectance(m.surface().ior)};
 }
 
 /// glTF 2.0's metallic-roughness model (appendix B) with KHR_materials_specular and _ior: a GGX reflection

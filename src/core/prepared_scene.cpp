@@ -1,5 +1,7 @@
 #include "core/prepared_scene.h"
 
+#include <algorithm>
+
 #include "core/fresnel_albedo.h"
 #include "core/rough_glass.h"
 #include "core/sheen.h"
@@ -14,6 +16,18 @@ std::vector<bool> used_materials(const Scene& scene) {
   std::vector<bool> used(scene.materials.size());
   for (const Shape& shape : scene.geometry.shapes) used[shape.material] = true;
   return used;
+}
+
+ShapeTraits traits_of(const Shape& shape, const Surface& surface, std::span<const float> touching) {
+  const auto triangles =
+      touching.empty() ? touching : touching.subspan(shape.first_triangle, shape.triangle_count);
+  return {.material = shape.material,
+          .opaque_kind = surface.opaque_kind,
+          .scatters = surface.scatters,
+          .transmits = surface.transmits,
+          .emits = surface.emits,
+          .encloses = surface.encloses,
+          .touches = std::ranges::any_of(triangles, [](float error) { return error > 0.0f; })};
 }
 
 }  // namespace
@@ -38,6 +52,9 @@ PreparedScene::PreparedScene(Scene source)
       touching(touching_triangles(scene.geometry, surfaces)),
       accel(scene.geometry, surfaces, quads.get(), !touching.empty()),
       lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces) {
+  scene.geometry.normals.reserve(scene.geometry.normals.size() + 1);  // surface_points reads a number more
+  for (const Shape& shape : scene.geometry.shapes)
+    shapes.push_back(traits_of(shape, surfaces[shape.material], touching));
   // What is made when first asked for is made now, on nobody's clock.
   prepare_albedos(used_materials(scene), surfaces);
   if (scene.environment) rgb_tints();

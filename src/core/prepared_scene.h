@@ -17,6 +17,14 @@ namespace photopic {
 /// @param used which surfaces are seen; the others get no table
 void prepare_albedos(const std::vector<bool>& used, std::span<Surface> surfaces);
 
+/// What is asked of every hit, in a few bytes a shape: surfaces are large, and seldom near.
+struct ShapeTraits {
+  std::uint32_t material;
+  BsdfKind opaque_kind;
+  bool scatters : 1, transmits : 1, emits : 1, encloses : 1;  ///< as the Surface
+  bool touches : 1;                                           ///< some triangle of it touches another
+};
+
 /// A scene made ready for rendering: what every sampler and every render of it share.
 struct PreparedScene {
   explicit PreparedScene(Scene source);
@@ -27,6 +35,7 @@ struct PreparedScene {
   std::vector<Surface> surfaces;       ///< of Scene::materials, compiled for shading
   std::unique_ptr<const Quads> quads;  ///< of a large scene, whose triangles they reorder
   std::vector<float> touching;         ///< of triangles [m]: see touching_triangles
+  std::vector<ShapeTraits> shapes;     ///< of Geometry::shapes
   Accel accel;
   LightSampler lights;
 };

@@ -3,7 +3,7 @@
 #include <bit>
 #include <type_traits>
 
-#include "core/lanes.h"
+#include "core/lane_rows.h"
 #include "spectral/sampled_spectrum.h"
 
 namespace photopic {
@@ -97,15 +97,21 @@ SpectrumLanes<N> share(const SpectrumLanes<N>& a, const SpectrumLanes<N>& b) {
   return SpectrumLanes<N>::each([](Lanes x, Lanes y) { return select(y > 0.0f, x / y, Lanes{}); }, a, b);
 }
 
+/// @param at gives the address of a lane's spectrum
+template <int N, typename At>
+SpectrumLanes<N> gather_spectra(const At& at) {
+  SpectrumLanes<N> result;
+  result.v = gather_rows<N>(at);
+  return result;
+}
+
 /// A spectrum for each lane.
 template <int N>
 using LaneSpectra = std::array<SampledSpectrum<N>, kLanes>;
 
 template <int N>
 SpectrumLanes<N> to_lanes(const LaneSpectra<N>& spectra) {
-  SpectrumLanes<N> result;
-  result.v = columns(std::bit_cast<std::array<Lanes, N>>(spectra));
-  return result;
+  return gather_spectra<N>([&](int i) { return &spectra[static_cast<std::size_t>(i)]; });
 }
 template <int N>
 LaneSpectra<N> by_lane(const SpectrumLanes<N>& spectra) {
@@ -114,9 +120,7 @@ LaneSpectra<N> by_lane(const SpectrumLanes<N>& spectra) {
 
 template <int N>
 SpectrumLanes<N> gather(const SampledSpectrum<N>* from, const Packet& packet) {
-  LaneSpectra<N> spectra;
-  for (int i = 0; i < kLanes; ++i) spectra[static_cast<std::size_t>(i)] = from[packet[i]];
-  return to_lanes<N>(spectra);
+  return gather_spectra<N>([&](int i) { return &from[packet[i]]; });
 }
 
 }  // namespace photopic

@@ -3,12 +3,13 @@
 namespace photopic {
 namespace {
 
-/// Vertex k of the triangles that were hit, in the space they were modelled in.
+/// What stands at vertex k of the triangles that were hit, in the space they were modelled in. Reads one
+/// number too many behind a vector, for which the last has room.
 Vec3Lanes corners(const Geometry& geometry, const std::vector<Vec3f>& values, std::span<const Hit> hits,
                   const Packet& packet, std::size_t k) {
-  Vec3Lanes r;
-  for (int i = 0; i < kLanes; ++i) set_lane(r, i, values[geometry.triangles[hits[packet[i]].triangle][k]]);
-  return r;
+  const auto [x, y, z, rest] =
+      gather_rows<4>([&](int i) { return &values[geometry.triangles[hits[packet[i]].triangle][k]]; });
+  return {x, y, z};
 }
 
 Vec3f interpolated_normal(const Geometry& geometry, const Hit& hit) {
@@ -53,8 +54,8 @@ bool meets_front(const Geometry& geometry, const Hit& hit, Vec3f direction) {
 }
 
 SurfacePointLanes surface_points(const Geometry& geometry, std::span<const Hit> hits, const Packet& packet) {
-  Lanes u, v;
-  for (int i = 0; i < kLanes; ++i) u[i] = hits[packet[i]].u, v[i] = hits[packet[i]].v;
+  static_assert(offsetof(Hit, v) == offsetof(Hit, u) + sizeof(float));
+  const auto [u, v] = gather_rows<2>([&](int i) { return &hits[packet[i]].u; });
   const auto corner = [&](const std::vector<Vec3f>& of, std::size_t k) {
     return corners(geometry, of, hits, packet, k);
   };

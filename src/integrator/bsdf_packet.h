@@ -83,27 +83,56 @@ class InLanes {
   Bsdf bsdf_;
 };
 
-/// @param material_at gives the ShadingMaterial of a lane
-template <int N, typename MaterialAt>
-SpectrumLanes<N> base_colors(const Packet& packet, const MaterialAt& material_at) {
+/// Of a surface on which all lanes lie, where it is the same all over and easily had. @param lambda [nm]
+template <int N>
+std::optional<SpectrumLanes<N>> uniform_color(const Spectrum& color, const SpectrumLanes<N>& lambda) {
+  if (const auto* constant = std::get_if<ConstantSpectrum>(&color))
+    return SpectrumLanes<N>(static_cast<float>(constant->value));
+  if (const auto* s = std::get_if<SigmoidPolynomial>(&color))
+    return SpectrumLanes<N>::each(
+        [&](const Lanes& nm) { return SigmoidPolynomial::at(nm, s->c0, s->c1, s->c2); }, lambda);
+  return {};
+}
+
+/// @param color_of gives a lane's
+template <int N, typename ColorOf>
+SpectrumLanes<N> colors_one_by_one(const Packet& packet, const ColorOf& color_of) {
   LaneSpectra<N> colors{};
-  for (int i = 0; i < packet.count; ++i) colors[static_cast<std::size_t>(i)] = material_at(i).base_color();
+  for (int i = 0; i < packet.count; ++i) colors[static_cast<std::size_t>(i)] = color_of(i);
   return to_lanes<N>(colors);
 }
 
-template <int N, typename MaterialAt>
-OpaqueMaterial<N, Lanes> opaque_materials(const Packet& packet, const MaterialAt& material_at) {
-  LaneSpectra<N> base{}, specular_color{};
+/// @param material_at gives the ShadingMaterial of a lane @param surface on which all lanes lie, or null
+/// @param lambda_of gives the wavelengths of all lanes [nm]
+template <int N, typename MaterialAt, typename LambdaOf>
+SpectrumLanes<N> base_colors(const Packet& packet, const MaterialAt& material_at, const Surface* surface,
+                             const LambdaOf& lambda_of) {
+  if (surface != nullptr && !surface->base_varies)
+    if (auto color = uniform_color<N>(surface->base_color, lambda_of())) return *color;
+  return colors_one_by_one<N>(packet, [&](int i) { return material_at(i).base_color(); });
+}
+
+template <int N, typename MaterialAt, typename LambdaOf>
+OpaqueMaterial<N, Lanes> opaque_materials(const Packet& packet, const MaterialAt& material_at,
+                                          const Surface* surface, const LambdaOf& lambda_of) {
   OpaqueMaterial<N, Lanes> m;
+  m.base = base_colors<N>(packet, material_at, surface, lambda_of);
+  if (surface != nullptr && !surface->textures) {
+    const OpaqueMaterial<N, float> one = opaque_material(material_at(0));
+    m.roughness = Lanes{} + one.roughness, m.metallic = Lanes{} + one.metallic;
+    m.specular = Lanes{} + one.specular, m.r0 = Lanes{} + one.r0;
+    if (auto color = uniform_color<N>(surface->specular_color, lambda_of())) {
+      m.specular_color = *color;
+      return m;
+    }
+  }
   m.roughness = m.metallic = m.specular = m.r0 = Lanes{};
   for (int i = 0; i < packet.count; ++i) {
-    const OpaqueMaterial<N, float> one = opaque_material(material_at(i));
-    base[static_cast<std::size_t>(i)] = one.base;
-    specular_color[static_cast<std::size_t>(i)] = one.specular_color;
-    m.roughness[i] = one.roughness, m.metallic[i] = one.metallic;
-    m.specular[i] = one.specular, m.r0[i] = one.r0;
+    const ShadingMaterial<N> one = material_at(i);
+    m.roughness[i] = one.roughness(), m.metallic[i] = one.opaque_metallic();
+    m.specular[i] = one.specular(), m.r0[i] = normal_reflectance(one.surface().ior);
   }
-  m.base = to_lanes<N>(base), m.specular_color = to_lanes<N>(specular_color);
+  m.specular_color = colors_one_by_one<N>(packet, [&](int i) { return material_at(i).specular_color(); });
   return m;
 }
 

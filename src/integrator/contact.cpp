@@ -11,7 +11,7 @@ namespace {
 using Face = Contact::Face;
 
 Face face_of(const PreparedScene& scene, const Hit& hit, Vec3f onwards, float depth) {
-  const std::uint32_t material = scene.scene.geometry.shapes[hit.shape].material;
+  const std::uint32_t material = scene.shapes[hit.shape].material;
   const SurfacePoint point = surface_point(scene.scene.geometry, hit);
   return {hit, {material, dot(point.geometric_normal, onwards) >= 0.0f}, depth, point.error};
 }

@@ -40,7 +40,7 @@ struct Contact {
 
 /// Whether anything lies in one place with a hit.
 inline bool touches(const PreparedScene& scene, const Hit& hit) {
-  return !scene.touching.empty() && scene.touching[hit.triangle] > 0.0f;
+  return scene.shapes[hit.shape].touches && scene.touching[hit.triangle] > 0.0f;
 }
 
 /// @param direction of the ray, unit

@@ -67,7 +67,7 @@ class FirstHitTracer {
  private:
   /// As ShadingMaterial::base_color() has it.
   Vec3f albedo_at(const Hit& hit) const {
-    const std::uint32_t material = scene_.scene.geometry.shapes[hit.shape].material;
+    const std::uint32_t material = scene_.shapes[hit.shape].material;
     const Surface& surface = scene_.surfaces[material];
     if (surface.unlit) return surface.emissive_rgb({scene_.scene.geometry, hit});
     const bool metal = surface.extensions && surface.extensions->conductor;

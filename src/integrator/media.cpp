@@ -69,12 +69,11 @@ void PathMedia::look_out(std::span<const Surface> surfaces, std::uint32_t materi
 
 void PathMedia::meet(std::span<const Surface> surfaces, Boundary alone) {
   believed_ = here_.current(), beyond_ = here_;
-  const bool encloses = surfaces[alone.material].encloses;
-  if (encloses) alone.from_inside ? look_out(surfaces, alone.material) : look_in(surfaces, alone.material);
+  alone.from_inside ? look_out(surfaces, alone.material) : look_in(surfaces, alone.material);
   if (!crossed_) believed_ = here_.current();
   from_inside_ = alone.from_inside;
-  hidden_ = encloses && here_.current() == beyond_.current();
-  outside_ = !encloses ? kVacuum : from_inside_ ? beyond_.current() : here_.current();
+  hidden_ = here_.current() == beyond_.current();
+  outside_ = from_inside_ ? beyond_.current() : here_.current();
   front_ = back_ = 0.0f;
 }
 
@@ -145,21 +144,18 @@ PathMedia media_at(const PreparedScene& scene, Vec3f point) {
   return PathMedia(media);
 }
 
-void meet(PathMedia& media, const PreparedScene& scene, Hit& hit, Vec3f direction) {
-  const Geometry& geometry = scene.scene.geometry;
-  const std::uint32_t material = geometry.shapes[hit.shape].material;
+void meet_place(PathMedia& media, const PreparedScene& scene, Hit& hit, Vec3f direction) {
+  const std::uint32_t material = scene.shapes[hit.shape].material;
   const Surface& surface = scene.surfaces[material];
-  if (!surface.encloses && !touches(scene, hit)) {
-    media.meet(scene.surfaces, Boundary{material, false});
-    return;
-  }
-  const SurfacePoint point = surface_point(geometry, hit);
+  const SurfacePoint point = surface_point(scene.scene.geometry, hit);
   const float cosine = dot(point.geometric_normal, direction);
   // On what nothing passes, the place matters to rays alone that come out of a gap narrower than rounding.
   if (touches(scene, hit) && (surface.lets_through || std::abs(cosine) * hit.t < 2.0f * point.error))
     hit = media.meet(scene.surfaces, contact_at(scene, hit, direction)).hit;
-  else
+  else if (surface.encloses)
     media.meet(scene.surfaces, Boundary{material, cosine >= 0.0f});
+  else
+    media.meet_screen();
 }
 
 Vec3f pass_hidden(PathMedia& media, const PreparedScene& scene, const Hit& hit, Vec3f direction) {

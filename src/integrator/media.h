@@ -54,8 +54,14 @@ class PathMedia {
   /// @return what shades: the contact's screen, or the face that is the interface between the media on both
   /// sides; where there are two, that of the higher priority, among equals the rougher
   const Contact::Face& meet(std::span<const Surface> surfaces, const Contact& contact);
-  /// A surface that nothing touches.
+  /// A surface that nothing touches: of a solid,
   void meet(std::span<const Surface> surfaces, Boundary alone);
+  /// or one that bounds no medium.
+  void meet_screen() {
+    believed_ = here_.current(), beyond_ = here_;
+    outside_ = kVacuum, front_ = back_ = 0.0f;
+    from_inside_ = hidden_ = false;
+  }
 
   /// Whether the path goes on through what it met as if there were nothing: the same medium lies on both
   /// sides.
@@ -80,9 +86,11 @@ class PathMedia {
   /// To the other side.
   void cross() { here_ = beyond_, crossed_ = true; }
 
+  /// Whether anything lies in the place of what was met.
+  bool is_thick() const { return front_ != 0.0f || back_ != 0.0f; }
   /// Makes a point of what shades so thick that rays leave it beyond all that lies in its place.
   void widen(SurfacePoint& point) const {
-    if (front_ == 0.0f && back_ == 0.0f) return;
+    if (!is_thick()) return;
     point.position = point.position + point.geometric_normal * (0.5f * (front_ - back_));
     point.error = 0.5f * (front_ + back_);
   }
@@ -126,7 +134,13 @@ void attenuate(SampledSpectrum<N>& radiance, const PreparedScene& scene, std::in
 }
 
 /// PathMedia::meet with all that lies where a ray hits something. @param hit becomes one of what shades
-void meet(PathMedia& media, const PreparedScene& scene, Hit& hit, Vec3f direction);
+void meet_place(PathMedia& media, const PreparedScene& scene, Hit& hit, Vec3f direction);
+inline void meet(PathMedia& media, const PreparedScene& scene, Hit& hit, Vec3f direction) {
+  if (scene.shapes[hit.shape].encloses || touches(scene, hit))
+    meet_place(media, scene, hit, direction);
+  else
+    media.meet_screen();
+}
 
 /// Where a path took itself to be in another medium than it was, it slipped in somewhere unrefracted: what
 /// stays the same is radiance over the index squared.

@@ -78,7 +78,7 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     if (throughput.is_black()) break;
 
     // Light from the surface itself.
-    const Surface& surface = scene_.surfaces[scene_.scene.geometry.shapes[hit.shape].material];
+    const Surface& surface = scene_.surfaces[scene_.shapes[hit.shape].material];
     const ShadingMaterial<N> material(surface, lambda, {scene_.scene.geometry, hit});
     const Vec3f normal = surface_point(scene_.scene.geometry, hit).geometric_normal;
     if (surface.emits && (surface.double_sided || dot(normal, ray.direction) < 0.0f)) {

@@ -62,9 +62,7 @@ class NonFiniteWatch : public StageWatch {
       if (!std::isfinite(s.v[j])) return false;
     return true;
   }
-  bool ray_is_traceable(std::uint32_t slot) const {
-    return is_traceable(Ray{batch_.rays.origin[slot], batch_.rays.direction[slot]});
-  }
+  bool ray_is_traceable(std::uint32_t slot) const { return is_traceable(batch_.rays[slot]); }
   bool wavelengths_are_finite(std::uint32_t slot) const {
     const PathWavelengths<N>& w = batch_.wavelengths[slot];
     bool finite = is_finite(w.lambda);

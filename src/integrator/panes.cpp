@@ -39,7 +39,7 @@ SampledSpectrum<N> through_panes(const PreparedScene& scene, Ray ray, float t_ma
   for (int i = 0; i < kMostPanes; ++i) {
     const Hit hit = scene.accel.intersect(ray);
     if (hit.shape == kNoHit || hit.t >= t_max) return share;
-    const Surface& surface = scene.surfaces[scene.scene.geometry.shapes[hit.shape].material];
+    const Surface& surface = scene.surfaces[scene.shapes[hit.shape].material];
     const SurfacePoint point = mapped_point(scene.scene.geometry, hit, -direction, surface);
     const float cosine = std::abs(dot(shading_frame(point, -direction, false).n, direction));
     share *= passed(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}), cosine);

@@ -9,6 +9,7 @@
 #include "core/prepared_scene.h"
 #include "integrator/media.h"
 #include "integrator/path_start.h"
+#include "integrator/slot_queue.h"
 #include "spectral/rgb_light.h"
 
 namespace photopic {
@@ -16,32 +17,20 @@ namespace photopic {
 /// The sample streams of many paths.
 class StreamArray {
  public:
-  StreamArray(std::size_t size, Sequence sequence)
-      : sequence_(sequence), seed_(size), index_reversed_(size) {}
-  SampleStream operator[](std::size_t i) const { return {sequence_, seed_[i], index_reversed_[i]}; }
+  StreamArray(std::size_t size, Sequence sequence) : sequence_(sequence), streams_(size) {}
+  SampleStream operator[](std::size_t i) const { return {sequence_, streams_[i][0], streams_[i][1]}; }
   void scatter(const Packet& p, const SampleStreamLanes& streams) {
-    photopic::scatter(seed_.data(), p, streams.seed());
-    photopic::scatter(index_reversed_.data(), p, streams.index_reversed());
+    for (int i = 0; i < p.count; ++i) streams_[p[i]] = {streams.seed()[i], streams.index_reversed()[i]};
   }
   SampleStreamLanes gather(const Packet& p) const {
-    return {sequence_, photopic::gather(seed_.data(), p), photopic::gather(index_reversed_.data(), p)};
+    const auto [seed, index_reversed] = gather_rows<2>([&](int i) { return &streams_[p[i]]; });
+    return {sequence_, reinterpret_cast<UintLanes>(seed), reinterpret_cast<UintLanes>(index_reversed)};
   }
 
  private:
   Sequence sequence_;
-  std::vector<std::uint32_t> seed_, index_reversed_;
+  std::vector<std::array<std::uint32_t, 2>> streams_;  ///< seeds and reversed indices
 };
-
-/// Drops the slots that do not `stay`. Which those are cannot be foretold, so there is no branch for each.
-template <typename Stays>
-void keep_if(std::vector<std::uint32_t>& slots, const Stays& stays) {
-  std::size_t kept = 0;
-  for (const std::uint32_t slot : slots) {
-    slots[kept] = slot;
-    kept += stays(slot) ? 1 : 0;
-  }
-  slots.resize(kept);
-}
 
 /// The state of many paths as structure of arrays, an entry a slot. Slots stay; queues of slot numbers shrink
 /// as paths end.
@@ -53,12 +42,10 @@ struct PathBatch {
         hits(capacity),
         pixel(capacity),
         stream(capacity, sequence),
-        sampled(capacity),
         wavelengths(capacity),
         emission(capacity * scene.scene.emission_spectra.size()),
         throughput(capacity),
         radiance(capacity),
-        bsdf_pdf(capacity),
         eta_scale(capacity),
         media(has_media(scene) ? capacity : 0),
         vertex(capacity),
@@ -68,11 +55,16 @@ struct PathBatch {
         shadow_rays(capacity),
         shadow_radiance(capacity),
         blocked(capacity),
-        emission_count_(scene.scene.emission_spectra.size()) {
-    active.reserve(capacity);
-    sorted.reserve(capacity);
-    shadowed.reserve(capacity);
-    for (auto& queue : by_kind) queue.reserve(capacity);
+        active(capacity),
+        shadowed(capacity),
+        pane_shadowed(capacity),
+        sorted(capacity),
+        bucket(capacity),
+        emission_count_(scene.scene.emission_spectra.size()) {}
+
+  /// The wavelengths of a packet's paths [nm].
+  SpectrumLanes<N> lambda_of(const Packet& packet) const {
+    return gather_spectra<N>([&](int i) { return &wavelengths[packet[i]].lambda; });
   }
 
   /// Emission spectrum k at the slot's wavelengths.
@@ -82,11 +74,8 @@ struct PathBatch {
 
   /// Emission spectra at the wavelengths of a packet's paths, one for each.
   SpectrumLanes<N> emissions_of(const Packet& packet, IntLanes spectra) const {
-    LaneSpectra<N> values;
-    for (int i = 0; i < kLanes; ++i)
-      values[static_cast<std::size_t>(i)] =
-          emission[packet[i] * emission_count_ + static_cast<std::size_t>(spectra[i])];
-    return to_lanes<N>(values);
+    return gather_spectra<N>(
+        [&](int i) { return &emission[packet[i] * emission_count_ + static_cast<std::size_t>(spectra[i])]; });
   }
 
   std::size_t emission_count() const { return emission_count_; }
@@ -109,7 +98,7 @@ struct PathBatch {
 
   /// The slot's last vertex as the lights see it.
   LightReference vertex_of(std::uint32_t slot) const {
-    return {vertex[slot], normal.x.empty() ? Vec3f{} : normal[slot]};
+    return {vertex[slot], normal.empty() ? Vec3f{} : normal[slot]};
   }
 
   // The path so far.
@@ -117,17 +106,17 @@ struct PathBatch {
   std::vector<Hit> hits;
   std::vector<std::uint32_t> pixel;
   StreamArray stream;
-  std::vector<SampledWavelengths<N>> sampled;
   std::vector<PathWavelengths<N>> wavelengths;
   std::vector<SampledSpectrum<N>> emission;
   std::vector<SampledSpectrum<N>> throughput;  ///< β, per wavelength
   std::vector<SampledSpectrum<N>> radiance;    ///< gathered so far [cd/m² per unit emission spectrum]
-  std::vector<float> bsdf_pdf;   ///< of the last direction [1/sr]; 0: it was a delta, or the camera's
   std::vector<float> eta_scale;  ///< η² of the interfaces crossed: what roulette must not mistake for loss
   std::vector<PathMedia> media;  ///< empty where the scene has none
 
-  Vec3Array vertex;                    ///< the last one's position; where rays start is a little off it
-  Vec3Array normal;                    ///< of the last vertex, where lights are chosen by it
+  /// The last one's position (where rays start is a little off it), and the density of the direction in which
+  /// the path went on from there [1/sr]; 0: it was a delta, or the camera's.
+  RowArray vertex;
+  RowArray normal;                     ///< of the last vertex, where lights are chosen by it
   std::vector<float> spectrum_choice;  ///< see spectra_of
   std::vector<SampledTints<N>> tints;  ///< for the environment's colours
 
@@ -137,11 +126,12 @@ struct PathBatch {
   std::vector<std::uint8_t> blocked;
 
   // Slots at work.
-  std::vector<std::uint32_t> active;
-  std::vector<std::uint32_t> sorted;  ///< the active by material
-  std::vector<std::uint32_t> shadowed;
-  std::vector<std::uint32_t> pane_shadowed;  ///< of those, whose lights are found by shadow rays alone
-  std::array<std::vector<std::uint32_t>, kBsdfKinds> by_kind;
+  SlotQueue active;
+  SlotQueue shadowed;
+  SlotQueue pane_shadowed;            ///< of those, whose lights are found by shadow rays alone
+  std::vector<std::uint32_t> sorted;  ///< the active by their BSDFs
+  std::vector<std::uint8_t> bucket;   ///< of each of the active
+  std::array<std::span<const std::uint32_t>, kBsdfKinds> by_kind;  ///< parts of the sorted
 
  private:
   std::size_t emission_count_;

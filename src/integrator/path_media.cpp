@@ -22,18 +22,17 @@ bool PathTracer<N, kHas>::travel(std::uint32_t slot) {
 /// lies beyond is found by this ray alone, as after a delta lobe.
 template <int N, Features kHas>
 void PathTracer<N, kHas>::pass_hidden_surfaces() {
-  const auto is_seen = [&](std::uint32_t slot) { return !batch_.media[slot].hidden(); };
-  std::vector<std::uint32_t> arrived;
-  for (int i = 0; i < kMostHidden; ++i) {
-    const auto hidden = std::stable_partition(batch_.active.begin(), batch_.active.end(), is_seen);
-    if (i == 0 && hidden == batch_.active.end()) return;
-    arrived.insert(arrived.end(), batch_.active.begin(), hidden);
-    batch_.active.erase(batch_.active.begin(), hidden);
-    if (batch_.active.empty()) break;
+  const auto is_hidden = [&](std::uint32_t slot) { return batch_.media[slot].hidden(); };
+  if (std::ranges::none_of(batch_.active, is_hidden)) return;
+  SlotQueue arrived(batch_.media.size());
+  for (int i = 0; i < kMostHidden && !batch_.active.empty(); ++i) {
+    for (const std::uint32_t slot : batch_.active)
+      if (!is_hidden(slot)) arrived.push(slot);
+    batch_.active.keep_if(is_hidden);
     for (const std::uint32_t slot : batch_.active) {
       const Vec3f direction = batch_.rays.direction[slot];
       batch_.rays.origin.set(slot, pass_hidden(batch_.media[slot], scene_, batch_.hits[slot], direction));
-      batch_.bsdf_pdf[slot] = 0.0f;
+      batch_.vertex.set_w(slot, 0.0f);
     }
     intersect(false);
     absorb_and_emit();

@@ -7,7 +7,7 @@ namespace photopic {
 /// A path whose last ray could not be traced is lost, whatever it had gathered.
 template <int N, Features kHas>
 bool PathTracer<N, kHas>::is_lost(std::size_t slot) const {
-  return !is_traceable(Ray{batch_.rays.origin[slot], batch_.rays.direction[slot]});
+  return !is_traceable(batch_.rays[slot]);
 }
 
 /// In the order of the slots: a pixel's sum has the same bits however its paths were batched.
@@ -19,10 +19,11 @@ void PathTracer<N, kHas>::finish(std::span<const PathKey> paths, Film& film) {
       stats_.media_overflows += batch_.media[slot].overflowed();
       stats_.media_slips += batch_.media[slot].slipped();
     }
-    const Xyz xyz = batch_.wavelengths[slot].to_xyz(batch_.radiance[slot]);
+    const PathWavelengths<N>& w = batch_.wavelengths[slot];
+    const Xyz xyz = w.to_xyz(batch_.radiance[slot]);
     if (std::isfinite(xyz.x + xyz.y + xyz.z) && !is_lost(slot)) {
       film.add(batch_.pixel[slot], xyz);
-      options_.further.add(batch_.pixel[slot], xyz, batch_.sampled[slot], batch_.radiance[slot]);
+      options_.further.add(batch_.pixel[slot], xyz, w.lambda, batch_.radiance[slot] * w.weight);
     } else {
       non_finite.push_back(paths[slot]);
     }

@@ -11,6 +11,11 @@ namespace {
 constexpr int kRouletteDepth = 3;
 constexpr float kSpared = 1.5f;
 
+/// Enough to tell materials apart.
+constexpr std::size_t kBucketsPerKind = 16;
+constexpr std::size_t kBuckets = kBucketsPerKind * kBsdfKinds;
+static_assert(kBuckets < 256);
+
 }  // namespace
 
 template <int N, Features kHas>
@@ -47,6 +52,7 @@ void PathTracer<N, kHas>::advance(std::span<const PathKey> paths) {
     done(kStageEmit);
     if (depth == options_.max_depth) break;
     sort_by_bsdf(depth);
+    if (kHas.textures) prefetch_texels();
     done(kStageSort);
     batch_.active.clear();
     batch_.shadowed.clear();
@@ -61,8 +67,7 @@ void PathTracer<N, kHas>::advance(std::span<const PathKey> paths) {
 
 template <int N, Features kHas>
 void PathTracer<N, kHas>::start(std::span<const PathKey> paths) {
-  batch_.active.resize(paths.size());
-  std::iota(batch_.active.begin(), batch_.active.end(), 0u);
+  batch_.active.fill(static_cast<std::uint32_t>(paths.size()));
   for (std::uint32_t slot = 0; slot < paths.size(); ++slot) batch_.pixel[slot] = paths[slot].pixel;
   for (std::size_t first = 0; first < paths.size(); first += kLanes) {
     const Packet packet(batch_.active, first);
@@ -74,24 +79,21 @@ void PathTracer<N, kHas>::start(std::span<const PathKey> paths) {
     draw_wavelengths(packet, stream);
     leave_camera(packet, camera_rays(scene_.scene.camera, pixel, stream));
   }
-  look_up_wavelengths();
   stats_.paths += paths.size();
 }
 
+/// In two loops, in which what neighbouring paths wait for overlaps.
 template <int N, Features kHas>
 void PathTracer<N, kHas>::draw_wavelengths(const Packet& packet, const SampleStreamLanes& stream) {
   const UintLanes bits = stream.bits(kWavelength);
+  std::array<SampledWavelengths<N>, kLanes> sampled;
   for (int i = 0; i < packet.count; ++i)
-    batch_.sampled[packet[i]] = sample_wavelengths<N>(sampler_, SampleStream::fine(bits[i]));
-}
-
-/// What depends on the wavelengths alone, in a loop of its own, where neighbouring paths overlap.
-template <int N, Features kHas>
-void PathTracer<N, kHas>::look_up_wavelengths() {
-  for (const std::uint32_t slot : batch_.active) {
-    const auto& sampled = batch_.sampled[slot];
+    sampled[static_cast<std::size_t>(i)] = sample_wavelengths<N>(sampler_, SampleStream::fine(bits[i]));
+  for (int i = 0; i < packet.count; ++i) {
+    const std::uint32_t slot = packet[i];
+    const SampledWavelengths<N>& one = sampled[static_cast<std::size_t>(i)];
     batch_.wavelengths[slot] =
-        PathWavelengths<N>(sampled, table_.look_up<N>(sampled.lambda, batch_.emissions_of(slot)));
+        PathWavelengths<N>(one, table_.look_up<N>(one.lambda, batch_.emissions_of(slot)));
     if (kHas.environment && !batch_.tints.empty())
       batch_.tints[slot] = SampledTints<N>(batch_.wavelengths[slot].lambda);
   }
@@ -99,14 +101,15 @@ void PathTracer<N, kHas>::look_up_wavelengths() {
 
 template <int N, Features kHas>
 void PathTracer<N, kHas>::leave_camera(const Packet& packet, const RayLanes& rays) {
-  batch_.rays.origin.scatter(packet, rays.origin);
-  batch_.rays.direction.scatter(packet, rays.direction);
+  const auto origins = rows_of(rays.origin), directions = rows_of(rays.direction);
   for (int i = 0; i < packet.count; ++i) {
     const std::uint32_t slot = packet[i];
+    batch_.rays.origin.set(slot, origins[static_cast<std::size_t>(i)]);
+    batch_.rays.direction.set(slot, directions[static_cast<std::size_t>(i)]);
     batch_.throughput[slot] = SampledSpectrum<N>(1.0f);
     batch_.radiance[slot] = SampledSpectrum<N>(0.0f);
-    batch_.bsdf_pdf[slot] = 0.0f;
-    batch_.eta_scale[slot] = 1.0f;
+    batch_.vertex.set_w(slot, 0.0f);
+    if (kHas.media) batch_.eta_scale[slot] = 1.0f;
     if (has_media()) batch_.media[slot] = camera_media_;
   }
 }
@@ -129,7 +132,7 @@ void PathTracer<N, kHas>::escape() {
     if (has_media())
       attenuate(arriving, scene_, batch_.media[slot].current(), batch_.wavelengths[slot].lambda,
                 std::numeric_limits<float>::infinity());
-    if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
+    if (const float pdf = batch_.vertex.w(slot); pdf != 0.0f)
       arriving *= power_heuristic(
           pdf, scene_.lights.environment_pdf(batch_.vertex_of(slot), batch_.spectra_of(slot), direction));
     batch_.radiance[slot] += arriving;
@@ -142,15 +145,16 @@ template <int N, Features kHas>
 void PathTracer<N, kHas>::absorb_and_emit() {
   const Geometry& geometry = scene_.scene.geometry;
   if (kHas.environment && scene_.scene.environment) escape();
-  keep_if(batch_.active, [&](std::uint32_t slot) { return batch_.hits[slot].shape != kNoHit; });
-  if (has_media()) keep_if(batch_.active, [&](std::uint32_t slot) { return travel(slot); });
+  batch_.active.keep_if([&](std::uint32_t slot) { return batch_.hits[slot].shape != kNoHit; });
+  if (has_media()) batch_.active.keep_if([&](std::uint32_t slot) { return travel(slot); });
   for (const std::uint32_t slot : batch_.active) {
+    const ShapeTraits& shape = traits_at(slot);
+    if (!shape.emits) continue;
     const Hit& hit = batch_.hits[slot];
-    const Surface& surface = scene_.surfaces[material_at(hit)];
-    if (!surface.emits) continue;
+    const Surface& surface = scene_.surfaces[shape.material];
     if (!surface.double_sided && !meets_front(geometry, hit, batch_.rays.direction[slot])) continue;
     float weight = surface.emission_luminance;
-    if (const float pdf = batch_.bsdf_pdf[slot]; pdf != 0.0f)
+    if (const float pdf = batch_.vertex.w(slot); pdf != 0.0f)
       weight *= power_heuristic(pdf, scene_.lights.pdf(batch_.vertex_of(slot), batch_.spectra_of(slot),
                                                        hit.shape, hit.triangle, hit.t));
     SampledSpectrum<N> emitted = batch_.emission_of(slot, surface.emission_spectrum);
@@ -161,49 +165,57 @@ void PathTracer<N, kHas>::absorb_and_emit() {
   }
 }
 
-/// Paths at one material stand side by side, so that in most packets branches go one way. Sixty-four buckets
-/// tell materials apart well enough.
+/// Which of a surface's BSDFs shades the path, where it has two.
 template <int N, Features kHas>
-void PathTracer<N, kHas>::sort_by_material() {
-  constexpr std::uint32_t kBuckets = 64;
-  std::array<std::uint32_t, kBuckets + 1> first{};
-  const auto bucket = [&](std::uint32_t slot) { return material_at(batch_.hits[slot]) % kBuckets; };
-  for (const std::uint32_t slot : batch_.active) ++first[bucket(slot) + 1];
+BsdfKind PathTracer<N, kHas>::choose_kind(std::uint32_t slot, int depth) const {
+  const ShadingMaterial<N> material(
+      scene_.surfaces[traits_at(slot).material], batch_.wavelengths[slot].lambda,
+      {scene_.scene.geometry, batch_.hits[slot]}, batch_.outside_of(slot, scene_));
+  return material.choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
+}
+
+/// Paths with one kind of BSDF stand side by side, among them those at one material, so that in most packets
+/// branches go one way.
+template <int N, Features kHas>
+void PathTracer<N, kHas>::sort_by_bsdf(int depth) {
+  std::array<std::uint32_t, kBuckets + 2> first{};
+  for (std::size_t i = 0; i < batch_.active.size(); ++i) {
+    const std::uint32_t slot = batch_.active[i];
+    const ShapeTraits& shape = traits_at(slot);
+    const BsdfKind kind = shape.transmits ? choose_kind(slot, depth) : shape.opaque_kind;
+    const std::size_t bucket =
+        static_cast<std::size_t>(kind) * kBucketsPerKind + shape.material % kBucketsPerKind;
+    batch_.bucket[i] = static_cast<std::uint8_t>(shape.scatters ? bucket : kBuckets);
+    ++first[batch_.bucket[i] + 1u];
+  }
   std::partial_sum(first.begin(), first.end(), first.begin());
-  batch_.sorted.resize(batch_.active.size());
-  for (const std::uint32_t slot : batch_.active) batch_.sorted[first[bucket(slot)]++] = slot;
+  for (std::size_t kind = 0; kind < kBsdfKinds; ++kind) {
+    const std::uint32_t begin = first[kind * kBucketsPerKind], end = first[(kind + 1) * kBucketsPerKind];
+    batch_.by_kind[kind] = std::span(batch_.sorted).subspan(begin, end - begin);
+  }
+  for (std::size_t i = 0; i < batch_.active.size(); ++i)
+    batch_.sorted[first[batch_.bucket[i]]++] = batch_.active[i];
 }
 
 template <int N, Features kHas>
-void PathTracer<N, kHas>::sort_by_bsdf(int depth) {
-  for (auto& queue : batch_.by_kind) queue.clear();
-  sort_by_material();
-  for (const std::uint32_t slot : batch_.sorted) {
-    const Surface& surface = scene_.surfaces[material_at(batch_.hits[slot])];
-    BsdfKind kind = surface.opaque_kind;
-    if (!surface.scatters) continue;
-    const TrianglePoint point(scene_.scene.geometry, batch_.hits[slot]);
-    if (kHas.textures) surface.prefetch(point);
-    if (surface.transmits)
-      kind =
-          ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda, point, batch_.outside_of(slot, scene_))
-              .choose_kind(batch_.stream[slot].get_1d(bounce_dimension(depth, kBsdfChoice)));
-    batch_.by_kind[static_cast<std::size_t>(kind)].push_back(slot);
-  }
+void PathTracer<N, kHas>::prefetch_texels() {
+  for (const auto& slots : batch_.by_kind)
+    for (const std::uint32_t slot : slots)
+      scene_.surfaces[traits_at(slot).material].prefetch({scene_.scene.geometry, batch_.hits[slot]});
 }
 
 template <int N, Features kHas>
 void PathTracer<N, kHas>::trace_shadow_rays() {
   scene_.accel.occluded(batch_.shadow_rays, batch_.shadowed, batch_.blocked);
   stats_.shadow_rays += batch_.shadowed.size();
-  keep_if(batch_.shadowed, [&](std::uint32_t slot) { return !batch_.blocked[slot]; });
+  batch_.shadowed.keep_if([&](std::uint32_t slot) { return !batch_.blocked[slot]; });
   for (const std::uint32_t slot : batch_.shadowed) batch_.radiance[slot] += batch_.shadow_radiance[slot];
   for (const std::uint32_t slot : batch_.pane_shadowed) {
     if (!batch_.blocked[slot]) continue;
     const RayArray& rays = batch_.shadow_rays;
     batch_.radiance[slot] +=
-        batch_.shadow_radiance[slot] * through_panes(scene_, {rays.origin[slot], rays.direction[slot]},
-                                                     rays.t_max[slot], batch_.wavelengths[slot].lambda);
+        batch_.shadow_radiance[slot] *
+        through_panes(scene_, rays[slot], rays.t_max(slot), batch_.wavelengths[slot].lambda);
   }
 }
 
@@ -212,19 +224,19 @@ void PathTracer<N, kHas>::trace_shadow_rays() {
 template <int N, Features kHas>
 void PathTracer<N, kHas>::roulette(int depth) {
   if (depth < kRouletteDepth) return;
-  std::size_t alive = 0;
-  for (std::size_t first = 0; first < batch_.active.size(); first += kLanes) {
-    const Packet packet(batch_.active, first);
+  const std::span<const std::uint32_t> slots(batch_.active);
+  batch_.active.clear();  // its numbers stay until they are read: no more are written than were
+  for (std::size_t first = 0; first < slots.size(); first += kLanes) {
+    const Packet packet(slots, first);
     const Lanes u = batch_.stream.gather(packet).get_1d(bounce_dimension(depth, kRoulette));
-    const Lanes survival =
-        kSpared * gather(batch_.throughput.data(), packet).max() * gather(batch_.eta_scale.data(), packet);
+    Lanes survival = kSpared * gather(batch_.throughput.data(), packet).max();
+    if (kHas.media) survival *= gather(batch_.eta_scale.data(), packet);
     const Lanes gain = select(survival < 1.0f, 1.0f / survival, Lanes{} + 1.0f);
     for_each_lane(~(u >= survival) & packet.used(), [&](int i) {
       batch_.throughput[packet[i]] *= lane(gain, i);
-      batch_.active[alive++] = packet[i];
+      batch_.active.push(packet[i]);
     });
   }
-  batch_.active.resize(alive);
 }
 
 #define PHOTOPIC_LOOP(N, features) template class PathTracer<N, features>;

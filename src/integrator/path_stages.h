@@ -29,21 +29,21 @@ class PathTracer {
   void done(Stage stage) {
     if (watch_) watch_->after(stage);
   }
-  std::uint32_t material_at(const Hit& hit) const { return scene_.scene.geometry.shapes[hit.shape].material; }
+  const ShapeTraits& traits_at(std::uint32_t slot) const { return scene_.shapes[batch_.hits[slot].shape]; }
   bool has_media() const { return kHas.media && !batch_.media.empty(); }
   /// Every stage of the paths, up to what each has gathered.
   void advance(std::span<const PathKey> paths);
   void start(std::span<const PathKey> paths);
   void draw_wavelengths(const Packet& packet, const SampleStreamLanes& stream);
-  void look_up_wavelengths();
   void leave_camera(const Packet& packet, const RayLanes& rays);
   void intersect(bool coherent);
   void escape();
   void absorb_and_emit();
   bool travel(std::uint32_t slot);
   void pass_hidden_surfaces();
-  void sort_by_material();
+  BsdfKind choose_kind(std::uint32_t slot, int depth) const;
   void sort_by_bsdf(int depth);
+  void prefetch_texels();
   void trace_shadow_rays();
   void roulette(int depth);
   bool is_lost(std::size_t slot) const;

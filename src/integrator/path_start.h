@@ -36,6 +36,7 @@ inline std::uint32_t bounce_dimension(int depth, BounceDimension which) {
 template <int N>
 struct PathWavelengths {
   SampledSpectrum<N> lambda;                           ///< [nm]
+  SampledSpectrum<N> weight;                           ///< 1/S(λ_j) [nm]
   std::array<SampledSpectrum<N>, 3> xyz_per_radiance;  ///< h(λ_j) / (S(λ_j)·∫ȳ dλ) for X, Y and Z
 
   PathWavelengths() = default;
@@ -45,7 +46,7 @@ struct PathWavelengths {
     SampledSpectrum<N> sum;
     for (int j = 0; j < N; ++j) lambda.v[j] = static_cast<float>(w.lambda[j]);
     for (int j = 0; j < N; ++j) sum.v[j] = static_cast<float>(w.density_sum[j]);
-    const SampledSpectrum<N> weight = SampledSpectrum<N>(1.0f) / sum;
+    weight = SampledSpectrum<N>(1.0f) / sum;
     for (std::size_t i = 0; i < 3; ++i) xyz_per_radiance[i] = h[i] * weight;
   }
 
@@ -53,6 +54,7 @@ struct PathWavelengths {
   PathWavelengths(const SampledWavelengths<N>& w, const Observer& observer) {
     for (int j = 0; j < N; ++j) {
       lambda.v[j] = static_cast<float>(w.lambda[j]);
+      weight.v[j] = static_cast<float>(1.0 / w.density_sum[j]);
       const Xyz h = observer(w.lambda[j]) * (1.0 / (w.density_sum[j] * observer.y_integral()));
       xyz_per_radiance[0].v[j] = static_cast<float>(h.x);
       xyz_per_radiance[1].v[j] = static_cast<float>(h.y);

@@ -28,13 +28,14 @@ std::uint64_t ShadingStage<N, kHas>::shade(PathBatch<N>& batch, int depth, Stage
 template <int N, Features kHas>
 template <typename Bsdf>
 std::uint64_t ShadingStage<N, kHas>::shade(PathBatch<N>& batch, BsdfKind kind, int depth) {
-  const auto& slots = batch.by_kind[static_cast<std::size_t>(kind)];
+  const std::span slots = batch.by_kind[static_cast<std::size_t>(kind)];
   std::uint64_t split = 0;
   for (std::size_t first = 0; first < slots.size(); first += kLanes) {
     const Packet packet(slots, first);
     const VertexPacket<N, Bsdf, kHas> vertices(scene_, batch, packet);
-    if (!scene_.lights.empty()) sample_lights(batch, packet, depth, vertices);
-    split += sample_directions(batch, packet, depth, vertices);
+    const SampleStreamLanes stream = batch.stream.gather(packet);
+    if (!scene_.lights.empty()) sample_lights(batch, packet, depth, stream, vertices);
+    split += sample_directions(batch, packet, depth, stream, vertices);
   }
   return split;
 }
@@ -65,8 +66,8 @@ SampledSpectrum<N> ShadingStage<N, kHas>::lamp_tint(const PathBatch<N>& batch, s
 template <int N, Features kHas>
 template <typename Bsdf>
 LightSampleLanes ShadingStage<N, kHas>::choose_lights(PathBatch<N>& batch, const Packet& packet, int depth,
+                                                      const SampleStreamLanes& stream,
                                                       const VertexPacket<N, Bsdf, kHas>& vertices) const {
-  const SampleStreamLanes stream = batch.stream.gather(packet);
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kLightPoint));
   LightSampleLanes lights;
   if (!kHas.several_lights || scene_.lights.has_only_light()) {
@@ -96,8 +97,9 @@ LightSampleLanes ShadingStage<N, kHas>::choose_lights(PathBatch<N>& batch, const
 template <int N, Features kHas>
 template <typename Bsdf>
 void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& packet, int depth,
+                                          const SampleStreamLanes& stream,
                                           const VertexPacket<N, Bsdf, kHas>& vertices) {
-  const LightSampleLanes lights = choose_lights(batch, packet, depth, vertices);
+  const LightSampleLanes lights = choose_lights(batch, packet, depth, stream, vertices);
 
   // What does the BSDF make of it?
   const Vec3Lanes local = vertices.frame.to_local(lights.direction);
@@ -106,7 +108,11 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
   const auto value = vertices.bsdfs->evaluate(local, candidates);
   const Lanes mis = select(lights.delta != 0, Lanes{} + 1.0f, power_heuristic(lights.pdf, value.pdf));
   const Lanes weight = lights.radiance * mis / lights.pdf;
-  const Vec3Lanes origin = vertices.point.leave(lights.direction), to_end = lights.end - origin;
+  const Vec3Lanes origin = vertices.point.leave(lights.direction);
+  const IntLanes unbounded = lights.distance == std::numeric_limits<float>::infinity();
+  const auto origins = rows_of(origin),
+             directions = rows_of(select(unbounded, lights.direction, lights.end - origin),
+                                  select(unbounded, lights.distance, Lanes{} + 1.0f));
   const IntLanes inwards = vertices.is_inwards(lights.direction);
 
   // What would arrive?
@@ -115,12 +121,11 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
   const LaneSpectra<N> by_path = by_lane(arriving);
   for_each_lane((value.pdf != 0.0f) & ~arriving.is_black(), [&](int i) {
     const std::uint32_t slot = packet[i];
-    const Vec3f wi = lane(lights.direction, i);
-    const float distance = lane(lights.distance, i);
+    const auto k = static_cast<std::size_t>(i);
     SampledSpectrum<N>& radiance = batch.shadow_radiance[slot];
-    radiance = by_path[static_cast<std::size_t>(i)];
+    radiance = by_path[k];
     if (kHas.environment && lights.environment[i]) {
-      const Vec3f rgb = scene_.scene.environment->radiance(wi);
+      const Vec3f rgb = scene_.scene.environment->radiance(lane(lights.direction, i));
       radiance *= batch.tints[slot](rgb.x, rgb.y, rgb.z);
     }
     if (kHas.textures && lights.material[i] != kNoMaterial)
@@ -128,14 +133,12 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
     if ((kHas.environment || kHas.textures) && radiance.is_black()) return;
     if (kHas.media && !batch.media.empty())
       attenuate(radiance, scene_, batch.media[slot].on_side(inwards[i]), batch.wavelengths[slot].lambda,
-                distance);
+                lane(lights.distance, i));
 
-    const bool unbounded = std::isinf(distance);
-    batch.shadow_rays.origin.set(slot, lane(origin, i));
-    batch.shadow_rays.direction.set(slot, unbounded ? wi : lane(to_end, i));
-    batch.shadow_rays.t_max[slot] = unbounded ? distance : 1.0f;
-    batch.shadowed.push_back(slot);
-    if (has_panes_ && lights.delta[i]) batch.pane_shadowed.push_back(slot);
+    batch.shadow_rays.origin.set(slot, origins[k]);
+    batch.shadow_rays.direction.set(slot, directions[k]);
+    batch.shadowed.push(slot);
+    if (has_panes_ && lights.delta[i]) batch.pane_shadowed.push(slot);
   });
 }
 
@@ -143,8 +146,8 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
 template <int N, Features kHas>
 template <typename Bsdf>
 std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
+                                                       const SampleStreamLanes& stream,
                                                        const VertexPacket<N, Bsdf, kHas>& vertices) {
-  const SampleStreamLanes stream = batch.stream.gather(packet);
   const Lanes u_lobe = stream.get_1d(bounce_dimension(depth, kBsdfLobe));
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
   const DirectionSamples<N> samples = vertices.bsdfs->sample(packet, u_lobe, u);
@@ -154,16 +157,18 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
                  go_on = sampled & ~throughput.is_black(), inwards = vertices.is_inwards(wi);
 
   const LaneSpectra<N> by_path = by_lane(throughput);
+  const auto origins = rows_of(origin), directions = rows_of(wi),
+             positions = rows_of(vertices.point.position, samples.pdf);
   for_each_lane(go_on, [&](int i) {
     const std::uint32_t slot = packet[i];
-    batch.throughput[slot] = by_path[static_cast<std::size_t>(i)];
-    batch.rays.origin.set(slot, lane(origin, i));
-    batch.rays.direction.set(slot, lane(wi, i));
-    batch.vertex.set(slot, lane(vertices.point.position, i));
-    batch.bsdf_pdf[slot] = lane(samples.pdf, i);
-    batch.eta_scale[slot] *= sqr(lane(samples.eta, i));
+    const auto k = static_cast<std::size_t>(i);
+    batch.throughput[slot] = by_path[k];
+    batch.rays.origin.set(slot, origins[k]);
+    batch.rays.direction.set(slot, directions[k]);
+    batch.vertex.set(slot, positions[k]);
+    if (kHas.media) batch.eta_scale[slot] *= sqr(lane(samples.eta, i));
     if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(inwards[i]);
-    batch.active.push_back(slot);
+    batch.active.push(slot);
   });
   return static_cast<std::uint64_t>(std::popcount(bits_of(sampled & samples.split)));
 }

@@ -28,12 +28,14 @@ class ShadingStage {
                                std::uint32_t triangle, Vec3f position) const;
   template <typename Bsdf>
   LightSampleLanes choose_lights(PathBatch<N>& batch, const Packet& packet, int depth,
+                                 const SampleStreamLanes& stream,
                                  const VertexPacket<N, Bsdf, kHas>& vertices) const;
   template <typename Bsdf>
-  void sample_lights(PathBatch<N>& batch, const Packet& packet, int depth,
+  void sample_lights(PathBatch<N>& batch, const Packet& packet, int depth, const SampleStreamLanes& stream,
                      const VertexPacket<N, Bsdf, kHas>& vertices);
   template <typename Bsdf>
   std::uint64_t sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
+                                  const SampleStreamLanes& stream,
                                   const VertexPacket<N, Bsdf, kHas>& vertices);
 
   const PreparedScene& scene_;

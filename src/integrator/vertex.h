@@ -57,7 +57,7 @@ struct Vertex {
   /// @param outside what bounds the medium in front of the surface, or null
   Vertex(const PreparedScene& scene, const Hit& hit, Vec3f wo_world, SampledSpectrum<N> lambda,
          SampledSpectrum<N> throughput, const Surface* outside = nullptr)
-      : material(scene.scene.geometry.shapes[hit.shape].material),
+      : material(scene.shapes[hit.shape].material),
         surface(scene.surfaces[material]),
         point(mapped_point(scene.scene.geometry, hit, wo_world, surface)),
         frame(make_frame(scene.scene.geometry, hit, wo_world)),

@@ -14,10 +14,10 @@ struct VertexPacket {
       : point(surface_points(scene.scene.geometry, batch.hits, packet)) {
     const Geometry& geometry = scene.scene.geometry;
     if (kHas.media && !scene.touching.empty()) widen(batch, packet);
-    const Vec3Lanes wo_world = -batch.rays.direction.gather(packet);
+    const Vec3Lanes wo_world = -batch.rays.direction.gather_vectors(packet);
     for (int i = 0; i < packet.count; ++i) {
       const Hit& hit = batch.hits[packet[i]];
-      const std::uint32_t m = geometry.shapes[hit.shape].material;
+      const std::uint32_t m = scene.shapes[hit.shape].material;
       material[static_cast<std::size_t>(i)] = m;
       if (kHas.textures && scene.surfaces[m].maps_normals)
         set_lane(point.shading_normal, i,
@@ -42,10 +42,11 @@ struct VertexPacket {
                                 {geometry, batch.hits[slot]},
                                 kHas.media ? batch.outside_of(slot, scene) : nullptr);
     };
+    const auto lambda_of = [&] { return batch.lambda_of(packet); };
     if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>)
-      bsdfs.emplace(base_colors<N>(packet, material_at), wo);
+      bsdfs.emplace(base_colors<N>(packet, material_at, only_surface(scene, packet), lambda_of), wo);
     else if constexpr (std::is_same_v<Bsdf, OpaqueBsdf<N>>)
-      bsdfs.emplace(opaque_materials<N>(packet, material_at), wo);
+      bsdfs.emplace(opaque_materials<N>(packet, material_at, only_surface(scene, packet), lambda_of), wo);
     else
       bsdfs.emplace(packet, [&](int i) {
         const std::uint32_t slot = packet[i];
@@ -59,14 +60,22 @@ struct VertexPacket {
   /// By what lies in the same place.
   void widen(const PathBatch<N>& batch, const Packet& packet) {
     for (int i = 0; i < packet.count; ++i) {
+      const PathMedia& media = batch.media[packet[i]];
+      if (!media.is_thick()) continue;
       SurfacePoint one = lane(point, i);
-      batch.media[packet[i]].widen(one);
+      media.widen(one);
       set_lane(point, i, one);
     }
   }
 
   const Surface& surface(const PreparedScene& scene, int i) const {
     return scene.surfaces[material[static_cast<std::size_t>(i)]];
+  }
+  /// The surface on which all paths lie, as they often do when sorted, or null.
+  const Surface* only_surface(const PreparedScene& scene, const Packet& packet) const {
+    for (int i = 1; i < packet.count; ++i)
+      if (material[static_cast<std::size_t>(i)] != material[0]) return nullptr;
+    return &scene.surfaces[material[0]];
   }
   /// See Vertex::sides_agree.
   IntLanes sides_agree(Vec3Lanes wi, Lanes cos_theta) const {

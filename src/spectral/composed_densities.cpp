@@ -16,12 +16,12 @@ ComposedDensities::ComposedDensities(const PiecewiseLinearDensity& base,
     for (std::size_t i = 0; i < q_sum.size(); ++i) q_sum[i] += one.value()[i];
 
   for (std::size_t k = 0; k < q.size(); ++k) {
-    Density density{.pieces = {}, .piece_of = {}, .backwards = backwards[k]};
+    Density density{.pieces = {}, .backwards = backwards[k]};
     for (std::size_t i = 0; i + 1 < base.x().size(); ++i) add_pieces(base, i, q[k], q_sum, density.pieces);
     density.pieces.push_back({.u = std::numeric_limits<double>::infinity(), .lambda = base.x().back()});
-    density.piece_of = guide_to(density.pieces);
     densities_.push_back(std::move(density));
   }
+  build_guide();
 }
 
 /// The pieces between two knots of the base: q's knots divide it.
@@ -52,17 +52,35 @@ void ComposedDensities::add_pieces(const PiecewiseLinearDensity& base, std::size
   }
 }
 
-GuideTable ComposedDensities::guide_to(const std::vector<Piece>& pieces) {
-  std::vector<double> ends;
-  for (std::size_t i = 1; i < pieces.size(); ++i) ends.push_back(std::min(pieces[i].u, 1.0));
-  return {0.0, std::move(ends), static_cast<double>(std::bit_ceil(2 * pieces.size()))};
+/// The piece that holds v: the last that begins there or before.
+std::uint32_t ComposedDensities::Density::piece_at(double v) const {
+  const auto next = std::ranges::upper_bound(pieces, v, {}, &Piece::u);
+  return static_cast<std::uint32_t>(next == pieces.begin() ? 0 : next - pieces.begin() - 1);
+}
+
+void ComposedDensities::build_guide() {
+  std::size_t most = 0;
+  for (const Density& density : densities_) most = std::max(most, density.pieces.size());
+  steps_ = static_cast<double>(std::bit_ceil(2 * most));
+  for (double step = 0.0; step < steps_; ++step)
+    for (const Density& density : densities_)
+      guide_.push_back(density.piece_at(density.backwards ? 1.0 - (step + 1.0) / steps_ : step / steps_));
+}
+
+const ComposedDensities::Piece* ComposedDensities::piece_at(std::size_t k, double v,
+                                                            const std::uint32_t* guide) const {
+  const Piece* piece = &densities_[k].pieces[guide[k]];
+  piece += piece[1].u <= v;
+  if (piece[1].u <= v) [[unlikely]]
+    piece = &densities_[k].pieces[densities_[k].piece_at(v)];
+  return piece;
 }
 
 void ComposedDensities::draw(double u, std::span<double> lambda, std::span<double> density_sum) const {
-  const auto piece_at = [this](std::size_t k, double v) {
-    return &densities_[k].pieces[densities_[k].piece_of.find(v)];
-  };
-  const auto driven_by = [this, u](std::size_t k) { return densities_[k].backwards ? 1.0 - u : u; };
+  const auto step = static_cast<std::size_t>(std::min(u * steps_, steps_ - 1.0));
+  const std::uint32_t* guide = &guide_[step * densities_.size()];
+  const auto driven_by = [this, u](std::size_t k) { return densities_[k].driven_by(u); };
+  const auto piece_at = [this, guide](std::size_t k, double v) { return this->piece_at(k, v, guide); };
   std::size_t k = 0;
   for (; k + 4 <= densities_.size(); k += 4) {
     const Double4 v{driven_by(k), driven_by(k + 1), driven_by(k + 2), driven_by(k + 3)};

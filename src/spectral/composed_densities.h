@@ -1,9 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "spectral/guide_table.h"
 #include "spectral/piecewise_density.h"
 
 namespace photopic {
@@ -17,7 +17,7 @@ class ComposedDensities {
   ComposedDensities(const PiecewiseLinearDensity& base, std::span<const PiecewiseLinearDensity> q,
                     const std::vector<bool>& backwards);
 
-  /// @param u in [0, 1)  @param lambda N wavelengths  @param density_sum N sums S(λ) = Σ_k p_k(λ)
+  /// @param u in [0, 1]  @param lambda N wavelengths  @param density_sum N sums S(λ) = Σ_k p_k(λ)
   void draw(double u, std::span<double> lambda, std::span<double> density_sum) const;
 
  private:
@@ -28,15 +28,20 @@ class ComposedDensities {
   };
   struct Density {
     std::vector<Piece> pieces;  ///< and behind them their end, u beyond 1
-    GuideTable piece_of;        ///< u
     bool backwards = false;
+
+    double driven_by(double u) const { return backwards ? 1.0 - u : u; }
+    std::uint32_t piece_at(double v) const;
   };
   static void add_pieces(const PiecewiseLinearDensity& base, std::size_t knot,
                          const PiecewiseLinearDensity& q, std::span<const double> q_sum,
                          std::vector<Piece>& pieces);
-  static GuideTable guide_to(const std::vector<Piece>& pieces);
+  void build_guide();
+  const Piece* piece_at(std::size_t k, double v, const std::uint32_t* guide) const;
 
   std::vector<Density> densities_;
+  double steps_;                      ///< of u
+  std::vector<std::uint32_t> guide_;  ///< N for each step: a density's first piece there
 };
 
 }  // namespace photopic

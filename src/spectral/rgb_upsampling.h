@@ -23,9 +23,14 @@ struct SigmoidPolynomial {
 
   template <int N>
   SampledSpectrum<N> operator()(SampledSpectrum<N> lambda) const {
-    using Vector = typename SampledSpectrum<N>::Vector;
+    return at(lambda.v, c0, c1, c2);
+  }
+
+  /// The same with vectors of floats. @param c of the same type, or floats
+  template <typename Vector, typename C>
+  static Vector at(const Vector& lambda, const C& c0, const C& c1, const C& c2) {
     const Vector x =
-        (lambda.v - static_cast<float>(kLambdaMin)) * static_cast<float>(1.0 / (kLambdaMax - kLambdaMin));
+        (lambda - static_cast<float>(kLambdaMin)) * static_cast<float>(1.0 / (kLambdaMax - kLambdaMin));
     const Vector y = (c0 * x + c1) * x + c2, most = Vector{} + kSaturated;
     const Vector below = y > most ? most : y;
     const Vector within = below < -most ? -most : below;

@@ -99,9 +99,8 @@ class AccelReplay {
     for (std::size_t i = 0; i < kPacketSize; ++i) {
       if ((p.valid >> i & 1u) == 0) continue;
       const auto slot = static_cast<std::uint32_t>(slots_.size());
-      rays_.origin.set(slot, {p.org_x[i], p.org_y[i], p.org_z[i]});
-      rays_.direction.set(slot, {p.dir_x[i], p.dir_y[i], p.dir_z[i]});
-      rays_.t_max[slot] = p.tfar[i];
+      rays_.set(slot, {{p.org_x[i], p.org_y[i], p.org_z[i]}, {p.dir_x[i], p.dir_y[i], p.dir_z[i]}},
+                p.tfar[i]);
       slots_.push_back(slot);
     }
   }

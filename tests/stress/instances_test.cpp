@@ -67,13 +67,12 @@ TEST(Instances, PacketsAndSingleRaysAgree) {
   std::mt19937 random(2);
   std::uniform_real_distribution<float> uniform(-1, 1);
   for (std::uint32_t i = 0; i < 64; ++i) {
-    rays.origin.set(i, {0, 0, 1});
-    rays.direction.set(i, normalize(Vec3f{uniform(random), uniform(random), uniform(random)}));
+    rays.set(i, {{0, 0, 1}, normalize(Vec3f{uniform(random), uniform(random), uniform(random)})});
     slots.push_back(i);
   }
   prepared.accel.intersect(rays, slots, hits);
   for (std::uint32_t i = 0; i < 64; ++i) {
-    const Hit one = prepared.accel.intersect(Ray{rays.origin[i], rays.direction[i]});
+    const Hit one = prepared.accel.intersect(rays[i]);
     EXPECT_EQ(hits[i].shape, one.shape);
     EXPECT_EQ(hits[i].instance, one.instance);
     EXPECT_EQ(hits[i].triangle, one.triangle);
