@@ -10,7 +10,7 @@ namespace photopic {
 /// Rows of n floats that stand side by side in memory, as many as a vector of 16 holds. Not read from there
 /// as one: a wide load waits for the narrow stores before it.
 template <std::size_t n, typename RowOf>
-Lanes load_rows(const RowOf& row_of) {
+PHOTOPIC_INLINE Lanes load_rows(const RowOf& row_of) {
   if constexpr (n == 16) {
     return load<Lanes>(row_of(0));
   } else if constexpr (n == 8) {
@@ -32,7 +32,7 @@ Lanes load_rows(const RowOf& row_of) {
 /// A row of n floats for each lane, as n columns: read whole and transposed in registers they take a third of
 /// the instructions of single numbers. @param row_of gives a lane's address
 template <std::size_t n, typename RowOf>
-std::array<Lanes, n> gather_rows(const RowOf& row_of) {
+PHOTOPIC_INLINE std::array<Lanes, n> gather_rows(const RowOf& row_of) {
   constexpr int kPerVector = kLanes / static_cast<int>(n);
   std::array<Lanes, n> rows;
   for (std::size_t k = 0; k < n; ++k)

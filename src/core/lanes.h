@@ -7,6 +7,10 @@
 #include <cstdint>
 #include <cstring>
 
+/// Vectors that are handed over in memory cost more than the little work on them: what has this mark goes
+/// into its caller, however large the compiler holds it to be.
+#define PHOTOPIC_INLINE [[gnu::always_inline]] inline
+
 namespace photopic {
 
 /// Vectors of 16 numbers, one a path, in the processor's registers (GCC's and clang's vector extension; where
@@ -58,7 +62,7 @@ bool any(M mask) {
 /// Calls f with the numbers of the lanes in which a mask is set: which they are cannot be foretold, so a
 /// branch for each would be foretold wrong.
 template <typename M, typename F>
-void for_each_lane(M mask, const F& f) {
+PHOTOPIC_INLINE void for_each_lane(M mask, const F& f) {
   for (std::uint32_t bits = bits_of(mask); bits != 0; bits &= bits - 1) f(std::countr_zero(bits));
 }
 
@@ -66,11 +70,22 @@ void for_each_lane(M mask, const F& f) {
 inline float lane(float a, int) {
   return a;
 }
-inline float lane(const Lanes& a, int i) {
-  // Not a[i]: for that GCC copies all lanes to memory, and again for each i.
-  float value;
-  std::memcpy(&value, reinterpret_cast<const float*>(&a) + i, sizeof(value));
+/// Not a[i], if i is no constant: for that GCC copies all lanes to memory, and again for each i.
+template <typename Number, typename Vector>
+Number lane_of(const Vector& a, int i) {
+  Number value;
+  std::memcpy(&value, reinterpret_cast<const char*>(&a) + static_cast<std::size_t>(i) * sizeof(value),
+              sizeof(value));
   return value;
+}
+inline float lane(const Lanes& a, int i) {
+  return lane_of<float>(a, i);
+}
+inline std::int32_t lane(const IntLanes& a, int i) {
+  return lane_of<std::int32_t>(a, i);
+}
+inline std::uint32_t lane(const UintLanes& a, int i) {
+  return lane_of<std::uint32_t>(a, i);
 }
 inline void set_lane(float& a, int, float value) {
   a = value;
@@ -135,7 +150,7 @@ inline Lanes to_float(UintLanes a) {
 
 /// A perfect shuffle of all numbers in some rows: the first half, then in turn with it the second.
 template <std::size_t kRows>
-std::array<Lanes, kRows> interleave(const std::array<Lanes, kRows>& m) {
+PHOTOPIC_INLINE std::array<Lanes, kRows> interleave(const std::array<Lanes, kRows>& m) {
   std::array<Lanes, kRows> next;
   for (std::size_t k = 0; k < kRows / 2; ++k) {
     const Lanes a = m[k], b = m[k + kRows / 2];
@@ -147,7 +162,7 @@ std::array<Lanes, kRows> interleave(const std::array<Lanes, kRows>& m) {
 }
 /// The way back: numbers at even places, then those at odd ones.
 template <std::size_t kRows>
-std::array<Lanes, kRows> deinterleave(const std::array<Lanes, kRows>& m) {
+PHOTOPIC_INLINE std::array<Lanes, kRows> deinterleave(const std::array<Lanes, kRows>& m) {
   std::array<Lanes, kRows> next;
   for (std::size_t k = 0; k < kRows / 2; ++k) {
     const Lanes a = m[2 * k], b = m[2 * k + 1];
@@ -167,14 +182,14 @@ inline LaneMatrix transpose(const LaneMatrix& m) {
 
 /// Sixteen rows of n numbers, one after the other in memory, as n columns; n is 2^k.
 template <std::size_t n>
-std::array<Lanes, n> columns(std::array<Lanes, n> rows) {
+PHOTOPIC_INLINE std::array<Lanes, n> columns(std::array<Lanes, n> rows) {
   if constexpr (n > 1)
     for (std::size_t i = 1; i < n; i *= 2) rows = deinterleave(rows);
   return rows;
 }
 /// The way back.
 template <std::size_t n>
-std::array<Lanes, n> rows_of(std::array<Lanes, n> columns) {
+PHOTOPIC_INLINE std::array<Lanes, n> rows_of(std::array<Lanes, n> columns) {
   if constexpr (n > 1)
     for (std::size_t i = 1; i < n; i *= 2) columns = interleave(columns);
   return columns;

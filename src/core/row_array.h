@@ -9,8 +9,8 @@
 
 namespace photopic {
 
-/// The way back: a vector and a number for each lane.
-inline std::array<Vec4f, kLanes> rows_of(const Vec3Lanes& v, const Lanes& w = Lanes{}) {
+/// Vectors and a number beside each as rows, one a lane.
+PHOTOPIC_INLINE std::array<Vec4f, kLanes> rows_of(const Vec3Lanes& v, const Lanes& w = Lanes{}) {
   return std::bit_cast<std::array<Vec4f, kLanes>>(rows_of(std::array<Lanes, 4>{v.x, v.y, v.z, w}));
 }
 
@@ -27,10 +27,10 @@ class RowArray {
   void set_w(std::size_t i, float w) { rows_[i].w = w; }
 
   /// x, y, z and w.
-  std::array<Lanes, 4> gather(const Packet& p) const {
+  PHOTOPIC_INLINE std::array<Lanes, 4> gather(const Packet& p) const {
     return gather_rows<4>([&](int i) { return &rows_[p[i]]; });
   }
-  Vec3Lanes gather_vectors(const Packet& p) const {
+  PHOTOPIC_INLINE Vec3Lanes gather_vectors(const Packet& p) const {
     const auto [x, y, z, w] = gather(p);
     return {x, y, z};
   }

@@ -109,7 +109,7 @@ class BasicSampleStream {
   }
 
   /// 32 random bits, stratified over the samples of a pixel.
-  U bits(std::uint32_t dimension) const {
+  PHOTOPIC_INLINE U bits(std::uint32_t dimension) const {
     const U hash = hash_of(dimension);
     if (sequence_ == Sequence::independent) return hash;
     return reverse_bits(owen_scramble_reversed(shuffled_index(hash), mix_bits(hash + 1u)));
@@ -121,7 +121,7 @@ class BasicSampleStream {
   double get_1d_fine(std::uint32_t dimension) const { return fine(bits(dimension)); }
   static double fine(std::uint32_t bits) { return (bits + 0.5) * 0x1p-32; }
 
-  BasicSample2d<Float> get_2d(std::uint32_t dimension) const {
+  PHOTOPIC_INLINE BasicSample2d<Float> get_2d(std::uint32_t dimension) const {
     const U hash = hash_of(dimension);
     if (sequence_ == Sequence::independent) return {to_unit(hash), to_unit(mix_bits(hash + 1u))};
     const U index = shuffled_index(hash);

@@ -14,7 +14,7 @@ struct SinCos {
 
 /// sin 2πu and cos 2πu for u in [−1/8, 1], to 4e-7: Taylor polynomials about the nearest quarter turn.
 template <typename T>
-SinCos<T> sin_cos_two_pi(T u) {
+PHOTOPIC_INLINE SinCos<T> sin_cos_two_pi(T u) {
   const T quarter = floor(4.0f * u + 0.5f);
   const T x = (u - 0.25f * quarter) * (2.0f * kPi);  // in [−π/4, π/4]
   const T x2 = x * x;
@@ -53,7 +53,7 @@ inline Sample2d sample_disk(Sample2d u) {
 
 /// Cosine-weighted hemisphere about +z.
 template <typename T>
-Vec3<T> sample_cosine_hemisphere(BasicSample2d<T> u) {
+PHOTOPIC_INLINE Vec3<T> sample_cosine_hemisphere(BasicSample2d<T> u) {
   const T r = sqrt(u.x);
   const auto phi = sin_cos_two_pi(u.y);
   return {r * phi.cos, r * phi.sin, sqrt(1.0f - u.x)};

@@ -99,7 +99,7 @@ SpectrumLanes<N> share(const SpectrumLanes<N>& a, const SpectrumLanes<N>& b) {
 
 /// @param at gives the address of a lane's spectrum
 template <int N, typename At>
-SpectrumLanes<N> gather_spectra(const At& at) {
+PHOTOPIC_INLINE SpectrumLanes<N> gather_spectra(const At& at) {
   SpectrumLanes<N> result;
   result.v = gather_rows<N>(at);
   return result;
@@ -110,16 +110,16 @@ template <int N>
 using LaneSpectra = std::array<SampledSpectrum<N>, kLanes>;
 
 template <int N>
-SpectrumLanes<N> to_lanes(const LaneSpectra<N>& spectra) {
+PHOTOPIC_INLINE SpectrumLanes<N> to_lanes(const LaneSpectra<N>& spectra) {
   return gather_spectra<N>([&](int i) { return &spectra[static_cast<std::size_t>(i)]; });
 }
 template <int N>
-LaneSpectra<N> by_lane(const SpectrumLanes<N>& spectra) {
+PHOTOPIC_INLINE LaneSpectra<N> by_lane(const SpectrumLanes<N>& spectra) {
   return std::bit_cast<LaneSpectra<N>>(rows_of(spectra.v));
 }
 
 template <int N>
-SpectrumLanes<N> gather(const SampledSpectrum<N>* from, const Packet& packet) {
+PHOTOPIC_INLINE SpectrumLanes<N> gather(const SampledSpectrum<N>* from, const Packet& packet) {
   return gather_spectra<N>([&](int i) { return &from[packet[i]]; });
 }
 

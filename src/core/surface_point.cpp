@@ -3,14 +3,25 @@
 namespace photopic {
 namespace {
 
-/// What stands at vertex k of the triangles that were hit, in the space they were modelled in. Reads one
-/// number too many behind a vector, for which the last has room.
-Vec3Lanes corners(const Geometry& geometry, const std::vector<Vec3f>& values, std::span<const Hit> hits,
-                  const Packet& packet, std::size_t k) {
-  const auto [x, y, z, rest] =
-      gather_rows<4>([&](int i) { return &values[geometry.triangles[hits[packet[i]].triangle][k]]; });
-  return {x, y, z};
-}
+/// The triangles that a packet hit.
+class HitTriangles {
+ public:
+  HitTriangles(const Geometry& geometry, std::span<const Hit> hits, const Packet& packet) {
+    for (int i = 0; i < kLanes; ++i)
+      vertices_[static_cast<std::size_t>(i)] = geometry.triangles[hits[packet[i]].triangle].data();
+  }
+
+  /// What stands at vertex k of each, in the space they were modelled in. Reads one number too many behind a
+  /// vector, for which the last has room.
+  Vec3Lanes corners(const std::vector<Vec3f>& values, std::size_t k) const {
+    const auto [x, y, z, rest] =
+        gather_rows<4>([&](int i) { return &values[vertices_[static_cast<std::size_t>(i)][k]]; });
+    return {x, y, z};
+  }
+
+ private:
+  std::array<const std::uint32_t*, kLanes> vertices_;
+};
 
 Vec3f interpolated_normal(const Geometry& geometry, const Hit& hit) {
   const auto& [a, b, c] = geometry.triangles[hit.triangle];
@@ -56,9 +67,8 @@ bool meets_front(const Geometry& geometry, const Hit& hit, Vec3f direction) {
 SurfacePointLanes surface_points(const Geometry& geometry, std::span<const Hit> hits, const Packet& packet) {
   static_assert(offsetof(Hit, v) == offsetof(Hit, u) + sizeof(float));
   const auto [u, v] = gather_rows<2>([&](int i) { return &hits[packet[i]].u; });
-  const auto corner = [&](const std::vector<Vec3f>& of, std::size_t k) {
-    return corners(geometry, of, hits, packet, k);
-  };
+  const HitTriangles triangles(geometry, hits, packet);
+  const auto corner = [&](const std::vector<Vec3f>& of, std::size_t k) { return triangles.corners(of, k); };
   const Vec3Lanes a = corner(geometry.positions, 0), b = corner(geometry.positions, 1),
                   c = corner(geometry.positions, 2);
   SurfacePointLanes points = point_on_triangle(a, b - a, c - a, position_error(a, b, c), u, v);

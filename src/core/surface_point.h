@@ -26,7 +26,7 @@ using SurfacePoint = BasicSurfacePoint<float>;
 using SurfacePointLanes = BasicSurfacePoint<Lanes>;
 
 inline SurfacePoint lane(const SurfacePointLanes& p, int i) {
-  return {lane(p.position, i), lane(p.geometric_normal, i), lane(p.shading_normal, i), p.error[i]};
+  return {lane(p.position, i), lane(p.geometric_normal, i), lane(p.shading_normal, i), lane(p.error, i)};
 }
 inline void set_lane(SurfacePointLanes& p, int i, const SurfacePoint& point) {
   set_lane(p.position, i, point.position);
@@ -65,7 +65,7 @@ T shrink_to_middle(T error, T edge) {
 /// The point of a triangle a, a + ab, a + ac at barycentric coordinates u and v, its shading normal being the
 /// triangle's own.
 template <typename T>
-BasicSurfacePoint<T> point_on_triangle(Vec3<T> a, Vec3<T> ab, Vec3<T> ac, T error, T u, T v) {
+PHOTOPIC_INLINE BasicSurfacePoint<T> point_on_triangle(Vec3<T> a, Vec3<T> ab, Vec3<T> ac, T error, T u, T v) {
   const T edge = max(max_abs(ab), max_abs(ac));  // scaled, so that tiny triangles do not underflow
   const Vec3<T> normal = normalize(cross(ab / edge, ac / edge));
   const T shrink = shrink_to_middle(error, edge), third = T{} + 1.0f / 3.0f;
@@ -74,7 +74,7 @@ BasicSurfacePoint<T> point_on_triangle(Vec3<T> a, Vec3<T> ab, Vec3<T> ac, T erro
 
 /// Turns a point's shading normal to an interpolated one, unless that is zero.
 template <typename T>
-void bend_normal(BasicSurfacePoint<T>& point, Vec3<T> n) {
+PHOTOPIC_INLINE void bend_normal(BasicSurfacePoint<T>& point, Vec3<T> n) {
   const T squared = dot(n, n);
   const Vec3<T> unit = n / sqrt(squared);
   const Vec3<T> bent = select(dot(unit, point.geometric_normal) < 0.0f, -unit, unit);
@@ -92,7 +92,7 @@ SurfacePointLanes surface_points(const Geometry& geometry, std::span<const Hit> 
 /// The shading frame for a viewer in direction wo; of a two-sided BSDF it turns to the viewer's side. Where
 /// interpolated normals turn away from a viewer who sees the triangle, the triangle's own normal shades.
 template <typename T>
-BasicFrame<T> shading_frame(const BasicSurfacePoint<T>& point, Vec3<T> wo, bool two_sided) {
+PHOTOPIC_INLINE BasicFrame<T> shading_frame(const BasicSurfacePoint<T>& point, Vec3<T> wo, bool two_sided) {
   const auto consistent = dot(point.shading_normal, wo) * dot(point.geometric_normal, wo) > 0.0f;
   const Vec3<T> n = select(consistent, point.shading_normal, point.geometric_normal);
   return BasicFrame<T>::about(two_sided ? select(dot(n, wo) < 0.0f, -n, n) : n);

@@ -40,7 +40,7 @@ class OneByOne {
     DirectionSamples<N> samples;
     LaneSpectra<N> weight{};
     for (int i = 0; i < packet.count; ++i) {
-      const auto s = bsdf_of(i).sample(u_lobe[i], lane(u, i));
+      const auto s = bsdf_of(i).sample(lane(u_lobe, i), lane(u, i));
       if (!s) continue;
       set_lane(samples.wi, i, s->wi);
       weight[static_cast<std::size_t>(i)] = s->weight;
@@ -85,7 +85,8 @@ class InLanes {
 
 /// Of a surface on which all lanes lie, where it is the same all over and easily had. @param lambda [nm]
 template <int N>
-std::optional<SpectrumLanes<N>> uniform_color(const Spectrum& color, const SpectrumLanes<N>& lambda) {
+PHOTOPIC_INLINE std::optional<SpectrumLanes<N>> uniform_color(const Spectrum& color,
+                                                              const SpectrumLanes<N>& lambda) {
   if (const auto* constant = std::get_if<ConstantSpectrum>(&color))
     return SpectrumLanes<N>(static_cast<float>(constant->value));
   if (const auto* s = std::get_if<SigmoidPolynomial>(&color))
@@ -105,8 +106,8 @@ SpectrumLanes<N> colors_one_by_one(const Packet& packet, const ColorOf& color_of
 /// @param material_at gives the ShadingMaterial of a lane @param surface on which all lanes lie, or null
 /// @param lambda_of gives the wavelengths of all lanes [nm]
 template <int N, typename MaterialAt, typename LambdaOf>
-SpectrumLanes<N> base_colors(const Packet& packet, const MaterialAt& material_at, const Surface* surface,
-                             const LambdaOf& lambda_of) {
+PHOTOPIC_INLINE SpectrumLanes<N> base_colors(const Packet& packet, const MaterialAt& material_at,
+                                             const Surface* surface, const LambdaOf& lambda_of) {
   if (surface != nullptr && !surface->base_varies)
     if (auto color = uniform_color<N>(surface->base_color, lambda_of())) return *color;
   return colors_one_by_one<N>(packet, [&](int i) { return material_at(i).base_color(); });
@@ -126,12 +127,14 @@ OpaqueMaterial<N, Lanes> opaque_materials(const Packet& packet, const MaterialAt
       return m;
     }
   }
-  m.roughness = m.metallic = m.specular = m.r0 = Lanes{};
+  std::array<Float4, kLanes> rows{};
   for (int i = 0; i < packet.count; ++i) {
     const ShadingMaterial<N> one = material_at(i);
-    m.roughness[i] = one.roughness(), m.metallic[i] = one.opaque_metallic();
-    m.specular[i] = one.specular(), m.r0[i] = normal_reflectance(one.surface().ior);
+    rows[static_cast<std::size_t>(i)] =
+        Float4{one.roughness(), one.opaque_metallic(), one.specular(), normal_reflectance(one.surface().ior)};
   }
+  const auto numbers = gather_rows<4>([&](int i) { return &rows[static_cast<std::size_t>(i)]; });
+  m.roughness = numbers[0], m.metallic = numbers[1], m.specular = numbers[2], m.r0 = numbers[3];
   m.specular_color = colors_one_by_one<N>(packet, [&](int i) { return material_at(i).specular_color(); });
   return m;
 }

@@ -20,9 +20,10 @@ class StreamArray {
   StreamArray(std::size_t size, Sequence sequence) : sequence_(sequence), streams_(size) {}
   SampleStream operator[](std::size_t i) const { return {sequence_, streams_[i][0], streams_[i][1]}; }
   void scatter(const Packet& p, const SampleStreamLanes& streams) {
-    for (int i = 0; i < p.count; ++i) streams_[p[i]] = {streams.seed()[i], streams.index_reversed()[i]};
+    for (int i = 0; i < p.count; ++i)
+      streams_[p[i]] = {lane(streams.seed(), i), lane(streams.index_reversed(), i)};
   }
-  SampleStreamLanes gather(const Packet& p) const {
+  PHOTOPIC_INLINE SampleStreamLanes gather(const Packet& p) const {
     const auto [seed, index_reversed] = gather_rows<2>([&](int i) { return &streams_[p[i]]; });
     return {sequence_, reinterpret_cast<UintLanes>(seed), reinterpret_cast<UintLanes>(index_reversed)};
   }
@@ -63,7 +64,7 @@ struct PathBatch {
         emission_count_(scene.scene.emission_spectra.size()) {}
 
   /// The wavelengths of a packet's paths [nm].
-  SpectrumLanes<N> lambda_of(const Packet& packet) const {
+  PHOTOPIC_INLINE SpectrumLanes<N> lambda_of(const Packet& packet) const {
     return gather_spectra<N>([&](int i) { return &wavelengths[packet[i]].lambda; });
   }
 
@@ -73,7 +74,7 @@ struct PathBatch {
   }
 
   /// Emission spectra at the wavelengths of a packet's paths, one for each.
-  SpectrumLanes<N> emissions_of(const Packet& packet, IntLanes spectra) const {
+  PHOTOPIC_INLINE SpectrumLanes<N> emissions_of(const Packet& packet, IntLanes spectra) const {
     return gather_spectra<N>(
         [&](int i) { return &emission[packet[i] * emission_count_ + static_cast<std::size_t>(spectra[i])]; });
   }

@@ -88,7 +88,7 @@ void PathTracer<N, kHas>::draw_wavelengths(const Packet& packet, const SampleStr
   const UintLanes bits = stream.bits(kWavelength);
   std::array<SampledWavelengths<N>, kLanes> sampled;
   for (int i = 0; i < packet.count; ++i)
-    sampled[static_cast<std::size_t>(i)] = sample_wavelengths<N>(sampler_, SampleStream::fine(bits[i]));
+    sampled[static_cast<std::size_t>(i)] = sample_wavelengths<N>(sampler_, SampleStream::fine(lane(bits, i)));
   for (int i = 0; i < packet.count; ++i) {
     const std::uint32_t slot = packet[i];
     const SampledWavelengths<N>& one = sampled[static_cast<std::size_t>(i)];

@@ -87,7 +87,7 @@ LightSampleLanes ShadingStage<N, kHas>::choose_lights(PathBatch<N>& batch, const
     weigh_spectra(batch, slot);
     if (scene_.lights.uses_normals()) batch.normal.set(slot, lane(at.normal, i));
     at.spectra[static_cast<std::size_t>(i)] = batch.spectra_of(slot);
-    at.u_choice[static_cast<std::size_t>(i)] = SampleStream::fine(choice[i]);
+    at.u_choice[static_cast<std::size_t>(i)] = SampleStream::fine(lane(choice, i));
   }
   scene_.lights.sample(at, lights);
   return lights;
@@ -124,21 +124,22 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
     const auto k = static_cast<std::size_t>(i);
     SampledSpectrum<N>& radiance = batch.shadow_radiance[slot];
     radiance = by_path[k];
-    if (kHas.environment && lights.environment[i]) {
+    if (kHas.environment && lane(lights.environment, i)) {
       const Vec3f rgb = scene_.scene.environment->radiance(lane(lights.direction, i));
       radiance *= batch.tints[slot](rgb.x, rgb.y, rgb.z);
     }
-    if (kHas.textures && lights.material[i] != kNoMaterial)
-      radiance *= lamp_tint(batch, slot, lights.material[i], lights.triangle[i], lane(lights.end, i));
+    if (kHas.textures && lane(lights.material, i) != kNoMaterial)
+      radiance *=
+          lamp_tint(batch, slot, lane(lights.material, i), lane(lights.triangle, i), lane(lights.end, i));
     if ((kHas.environment || kHas.textures) && radiance.is_black()) return;
     if (kHas.media && !batch.media.empty())
-      attenuate(radiance, scene_, batch.media[slot].on_side(inwards[i]), batch.wavelengths[slot].lambda,
+      attenuate(radiance, scene_, batch.media[slot].on_side(lane(inwards, i)), batch.wavelengths[slot].lambda,
                 lane(lights.distance, i));
 
     batch.shadow_rays.origin.set(slot, origins[k]);
     batch.shadow_rays.direction.set(slot, directions[k]);
     batch.shadowed.push(slot);
-    if (has_panes_ && lights.delta[i]) batch.pane_shadowed.push(slot);
+    if (has_panes_ && lane(lights.delta, i)) batch.pane_shadowed.push(slot);
   });
 }
 
@@ -167,7 +168,7 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
     batch.rays.direction.set(slot, directions[k]);
     batch.vertex.set(slot, positions[k]);
     if (kHas.media) batch.eta_scale[slot] *= sqr(lane(samples.eta, i));
-    if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(inwards[i]);
+    if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(lane(inwards, i));
     batch.active.push(slot);
   });
   return static_cast<std::uint64_t>(std::popcount(bits_of(sampled & samples.split)));

@@ -13,16 +13,16 @@ using Float16 [[gnu::vector_size(64)]] = float;
 using Double4 [[gnu::vector_size(32)]] = double;
 using Double8 [[gnu::vector_size(64)]] = double;
 
-/// Four numbers that stand in a row in memory, aligned or not.
-template <typename Four>
-Four load(const void* numbers) {
-  Four four;
-  std::memcpy(&four, numbers, sizeof four);
-  return four;
+/// Numbers that stand in a row in memory, aligned or not.
+template <typename Vector>
+Vector load(const void* numbers) {
+  Vector vector;
+  std::memcpy(&vector, numbers, sizeof vector);
+  return vector;
 }
-template <typename Four>
-void store(void* numbers, Four four) {
-  std::memcpy(numbers, &four, sizeof four);
+template <typename Vector>
+void store(void* numbers, Vector vector) {
+  std::memcpy(numbers, &vector, sizeof vector);
 }
 
 /// The square root of each.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/opaque_bsdf.h"
+#include "core/row_array.h"
 #include "core/sample_sequence.h"
 #include "support/bsdf_checks.h"
 #include "support/scene_builder.h"
@@ -45,6 +46,47 @@ TEST(Lanes, RowsAndColumns) {
   const auto back = rows_of(turned);
   for (std::size_t i = 0; i < 4; ++i)
     for (int j = 0; j < kLanes; ++j) EXPECT_EQ(back[i][j], rows[i][j]);
+}
+
+/// Of whatever bits, integers that are no numbers as floats too.
+template <std::size_t n>
+void expect_rows_gathered() {
+  std::array<std::array<std::uint32_t, n>, 3 * kLanes> rows;
+  for (std::uint32_t i = 0; i < rows.size(); ++i)
+    for (std::uint32_t j = 0; j < n; ++j) rows[i][j] = mix_bits(100 * i + j) | 0x7f800000u * (i % 2);
+  const auto place = [](int i) { return static_cast<std::size_t>(i * 7 % (3 * kLanes)); };
+  const auto gathered = gather_rows<n>([&](int i) { return rows[place(i)].data(); });
+  for (std::size_t j = 0; j < n; ++j)
+    for (int i = 0; i < kLanes; ++i)
+      EXPECT_EQ(lane(reinterpret_cast<UintLanes>(gathered[j]), i), rows[place(i)][j]) << n << ", " << i;
+}
+
+TEST(Lanes, RowsGatheredFromMemory) {
+  expect_rows_gathered<1>();
+  expect_rows_gathered<2>();
+  expect_rows_gathered<4>();
+  expect_rows_gathered<8>();
+  expect_rows_gathered<16>();
+}
+
+TEST(Lanes, VectorsInSlots) {
+  RowArray array(2 * kLanes);
+  Vec3Lanes v;
+  Lanes w;
+  for (int i = 0; i < kLanes; ++i) {
+    const auto number = static_cast<float>(i);
+    set_lane(v, i, {number, -number, 0.5f * number}), w[i] = 100.0f + number;
+  }
+  std::vector<std::uint32_t> slots;
+  for (std::uint32_t i = 0; i < kLanes; ++i) slots.push_back(5 * i % 32);
+  const auto rows = rows_of(v, w);
+  for (std::size_t i = 0; i < kLanes; ++i) array.set(slots[i], rows[i]);
+  const auto [x, y, z, w_back] = array.gather(Packet(slots, 0));
+  for (int i = 0; i < kLanes; ++i) {
+    EXPECT_EQ((Vec3f{lane(x, i), lane(y, i), lane(z, i)}), lane(v, i));
+    EXPECT_EQ(array[slots[static_cast<std::size_t>(i)]], lane(v, i));
+    EXPECT_EQ(lane(w_back, i), array.w(slots[static_cast<std::size_t>(i)]));
+  }
 }
 
 TEST(Lanes, ReversedBitsAreThoseOfOneNumber) {

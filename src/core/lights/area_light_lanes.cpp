@@ -31,11 +31,9 @@ AreaLightLanes::AreaLightLanes(const std::array<const AreaLight*, kLanes>& light
   normal = {number[9], number[10], number[11]};
   area = number[12], error = number[13];
   triangle = reinterpret_cast<UintLanes>(number[14]);
-  for (int i = 0; i < kLanes; ++i) {
-    const AreaLight& light = *lights[static_cast<std::size_t>(i)];
-    material[i] = light.material;
-    parallelogram[i] = light.parallelogram ? -1 : 0, double_sided[i] = light.double_sided ? -1 : 0;
-  }
+  const auto bits = reinterpret_cast<UintLanes>(number[15]);
+  material = bits & 0x3fffffffu;
+  parallelogram = (bits & (1u << 30)) != 0u, double_sided = (bits & (1u << 31)) != 0u;
 }
 
 void AreaLightLanes::sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& s) const {

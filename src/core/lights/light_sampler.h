@@ -84,7 +84,7 @@ class LightSampler {
 
   Pick pick(std::span<const float> spectra, double u_choice) const;
   Picks pick_lights(const LightReferenceLanes& at) const;
-  void fill_emission(const AreaLight& light, int lane, LightSampleLanes& samples) const;
+  void fill_emission(const std::array<const AreaLight*, kLanes>& lights, LightSampleLanes& samples) const;
   void make_group(Group& group, std::span<const std::uint32_t> members, std::span<const double> weight);
   LightBounds bounds_of(std::uint32_t light) const;
   bool is_unbounded(std::uint32_t light) const;

@@ -5,11 +5,10 @@ namespace photopic {
 
 LightSampler::Picks LightSampler::pick_lights(const LightReferenceLanes& at) const {
   Picks picks;
-  std::array<double, kLanes> u{};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(at.count); ++k) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(at.count); ++k)
     picks[k] = pick(at.spectra[k], at.u_choice[k]);
-    u[k] = picks[k].u;
-  }
+  DoubleLanes u;
+  for (int i = 0; i < kLanes; ++i) u[i] = picks[static_cast<std::size_t>(i)].u;
 
   // Down the trees, one after the other.
   for (const Group& group : groups_) {
@@ -31,41 +30,52 @@ LightSampler::Picks LightSampler::pick_lights(const LightReferenceLanes& at) con
   return picks;
 }
 
-void LightSampler::fill_emission(const AreaLight& light, int lane, LightSampleLanes& s) const {
-  const AreaLights::Emission& emission = area_lights_.emission(light);
-  s.radiance[lane] = emission.luminance, s.spectrum[lane] = emission.spectrum;
+// Lanes that are filled one by one are filled in registers: a whole vector read from memory waits for the
+// numbers stored there before it.
+
+void LightSampler::fill_emission(const std::array<const AreaLight*, kLanes>& lights,
+                                 LightSampleLanes& s) const {
+  Lanes luminance;
+  IntLanes spectrum;
+  for (int i = 0; i < kLanes; ++i) {
+    const AreaLights::Emission& emission = area_lights_.emission(*lights[static_cast<std::size_t>(i)]);
+    luminance[i] = emission.luminance, spectrum[i] = emission.spectrum;
+  }
+  s.radiance = luminance, s.spectrum = spectrum;
 }
 
 void LightSampler::sample(const LightReferenceLanes& at, LightSampleLanes& s) const {
   const Picks picks = pick_lights(at);
+  UintLanes light;
+  Lanes probability;
+  for (int i = 0; i < kLanes; ++i) {
+    const Pick& pick = picks[static_cast<std::size_t>(i)];
+    light[i] = pick.light, probability[i] = pick.probability;
+  }
 
   // Area lights all at once, the others one by one.
   const std::vector<AreaLight>& list = area_lights_.list();
-  IntLanes other = IntLanes{} - 1;
+  const IntLanes other = light >= static_cast<std::uint32_t>(list.size());
   if (!list.empty()) {
     std::array<const AreaLight*, kLanes> lights;
-    lights.fill(&list[0]);
-    for (int i = 0; i < at.count; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      if (picks[k].light < list.size()) lights[k] = &list[picks[k].light], other[i] = 0;
-    }
+    for (std::size_t k = 0; k < kLanes; ++k)
+      lights[k] = &list[picks[k].light < list.size() ? picks[k].light : 0];
     AreaLightLanes(lights).sample(at.position, at.u, s);
-    for (int i = 0; i < at.count; ++i) fill_emission(*lights[static_cast<std::size_t>(i)], i, s);
+    fill_emission(lights, s);
   }
-  for (int i = 0; i < at.count; ++i) {
-    const Pick& chosen = picks[static_cast<std::size_t>(i)];
-    if (other[i])
-      s.set(i, chosen.light == kNoLight ? std::nullopt
-                                        : sample_light(chosen.light, lane(at.position, i), lane(at.u, i)));
-    s.pdf[i] *= chosen.probability;
-  }
+  for_each_lane(other, [&](int i) {
+    const std::uint32_t chosen = picks[static_cast<std::size_t>(i)].light;
+    s.set(i, chosen == kNoLight ? std::nullopt : sample_light(chosen, lane(at.position, i), lane(at.u, i)));
+  });
+  s.pdf *= probability;
 }
 
 void LightSampler::sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u,
                                      LightSampleLanes& s) const {
   const AreaLight& light = area_lights_.list()[*only_area_light_];
+  const AreaLights::Emission& emission = area_lights_.emission(light);
   AreaLightLanes(light).sample(from, u, s);
-  for (int i = 0; i < kLanes; ++i) fill_emission(light, i, s);
+  s.radiance = Lanes{} + emission.luminance, s.spectrum = IntLanes{} + emission.spectrum;
 }
 
 }  // namespace photopic

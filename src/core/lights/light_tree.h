@@ -32,7 +32,7 @@ class LightTree {
   Choice choose(const LightReference& at, double u) const;
 
   /// The same for several points at once. @param wanted lanes, of which the choices are filled in
-  void choose(const BasicLightReference<Lanes>& at, const std::array<double, kLanes>& u,
+  void choose(const BasicLightReference<Lanes>& at, const DoubleLanes& u,
               std::span<const std::uint32_t> wanted, Choices& choices) const;
 
   /// The probability that choose() gives this light. @param light index into the constructor's list

@@ -9,10 +9,9 @@ namespace photopic {
 /// down, sixteen branches for each point.
 class LightTree::Descents {
  public:
-  Descents(const LightTree& tree, const BasicLightReference<Lanes>& at, const std::array<double, kLanes>& u,
+  Descents(const LightTree& tree, const BasicLightReference<Lanes>& at, const DoubleLanes& u,
            std::span<const std::uint32_t> wanted, Choices& choices)
-      : tree_(tree), at_(at), choices_(choices), count_(wanted.size()) {
-    for (std::size_t k = 0; k < kLanes; ++k) u_[k] = u[k];
+      : tree_(tree), at_(at), choices_(choices), u_(u), count_(wanted.size()) {
     std::ranges::copy(wanted, under_way_.begin());
     draw(weigh_root());
   }
@@ -127,7 +126,7 @@ void LightTree::Descents::draw_by_power() const {
   }
 }
 
-void LightTree::choose(const BasicLightReference<Lanes>& at, const std::array<double, kLanes>& u,
+void LightTree::choose(const BasicLightReference<Lanes>& at, const DoubleLanes& u,
                        std::span<const std::uint32_t> wanted, Choices& choices) const {
   Descents descents(*this, at, u, wanted, choices);
   while (descents.go_on()) descents.draw();
@@ -135,10 +134,8 @@ void LightTree::choose(const BasicLightReference<Lanes>& at, const std::array<do
 }
 
 LightTree::Choice LightTree::choose(const LightReference& at, double u) const {
-  std::array<double, kLanes> all_u{};
-  all_u[0] = u;
   Choices choices;
-  choose({to_lanes(at.position), to_lanes(at.normal)}, all_u, std::array{0u}, choices);
+  choose({to_lanes(at.position), to_lanes(at.normal)}, DoubleLanes{} + u, std::array{0u}, choices);
   return choices[0];
 }
 

@@ -107,7 +107,7 @@ TEST(LightTree, LanesDoNotMix) {
   const LightTree tree(strewn(3000));
   for (std::uint32_t k = 0; k < 100; ++k) {
     BasicLightReference<Lanes> at{};
-    std::array<double, kLanes> u{};
+    DoubleLanes u{};
     std::vector<std::uint32_t> wanted;
     for (std::uint32_t i = 0; i < kLanes; ++i) {
       const std::uint32_t j = kLanes * k + i;
