@@ -220,10 +220,6 @@ inline Lanes gather(const float* from, const Packet& packet) {
   for (int i = 0; i < kLanes; ++i) r[i] = from[packet[i]];
   return r;
 }
-template <typename T, typename Vector>
-void scatter(T* to, const Packet& packet, const Vector& values) {
-  for (int i = 0; i < packet.count; ++i) to[packet[i]] = values[i];
-}
 inline UintLanes gather(const std::uint32_t* from, const Packet& packet) {
   UintLanes r;
   for (int i = 0; i < kLanes; ++i) r[i] = from[packet[i]];

@@ -13,7 +13,8 @@ class SlotQueue {
   void push(std::uint32_t slot) { slots_[size_++] = slot; }
   /// All slots up to a number.
   void fill(std::uint32_t count) {
-    for (size_ = 0; size_ < count;) push(static_cast<std::uint32_t>(size_));
+    clear();
+    for (std::uint32_t slot = 0; slot < count; ++slot) push(slot);
   }
   void clear() { size_ = 0; }
 

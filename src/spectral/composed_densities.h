@@ -9,8 +9,8 @@
 namespace photopic {
 
 /// N densities p_k(λ) = q_k(B(λ))·b(λ), q_k on t in [0, 1] and B the CDF of b, compiled for drawing: the
-/// pieces on which both are linear, each in one cache line, so that λ = B⁻¹(Q_k⁻¹(u)) costs
-/// one look-up and two square roots.
+/// pieces on which both are linear, each in one cache line, so that λ = B⁻¹(Q_k⁻¹(u)) costs one look-up, in a
+/// guide that all N share, and two square roots.
 class ComposedDensities {
  public:
   /// @param q N densities with the same knots  @param backwards N orientations: density k is driven by 1 − u
@@ -31,12 +31,13 @@ class ComposedDensities {
     bool backwards = false;
 
     double driven_by(double u) const { return backwards ? 1.0 - u : u; }
-    std::uint32_t piece_at(double v) const;
+    std::uint32_t piece_at(double v) const;  ///< by a search
   };
   static void add_pieces(const PiecewiseLinearDensity& base, std::size_t knot,
                          const PiecewiseLinearDensity& q, std::span<const double> q_sum,
                          std::vector<Piece>& pieces);
   void build_guide();
+  /// @param v what drives density k @param guide of the step that u lies in
   const Piece* piece_at(std::size_t k, double v, const std::uint32_t* guide) const;
 
   std::vector<Density> densities_;
