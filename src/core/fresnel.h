@@ -18,6 +18,11 @@ inline float fresnel_dielectric(float cos_i, float eta) {
   return 0.5f * (sqr(parallel) + sqr(perpendicular));
 }
 
+/// The same at normal incidence, from air. @param ior 0: a perfect mirror
+inline float normal_reflectance(float ior) {
+  return ior == 0.0f ? 1.0f : sqr((ior - 1.0f) / (ior + 1.0f));
+}
+
 /// Schlick's (1 − cos θ)⁵.
 template <typename T>
 T schlick_weight(T cos_theta) {

@@ -38,6 +38,7 @@ class SpectralFilm {
               static_cast<std::size_t>(bins)) {}
 
   /// The balance-heuristic estimate: Σ_j L(λ_j) / S(λ_j), each in the bin of its wavelength.
+  /// @param lambda λ_j [nm] @param radiance_over_density L(λ_j) / S(λ_j)
   template <int N>
   void add(std::size_t pixel, SampledSpectrum<N> lambda, SampledSpectrum<N> radiance_over_density) {
     double* sums = &sums_[pixel * static_cast<std::size_t>(bins_)];

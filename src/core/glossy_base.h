@@ -79,8 +79,7 @@ class GlossyBase {
 
   void set_colors(const ShadingMaterial<N>& m, const MaterialExtensions& x) {
     metallic_ = x.conductor ? 1.0f : m.opaque_metallic();
-    const float ior = m.surface().ior, r0 = ior == 0.0f ? 1.0f : sqr((ior - 1.0f) / (ior + 1.0f));
-    auto f0 = m.specular_color() * r0;
+    auto f0 = m.specular_color() * normal_reflectance(m.surface().ior);
     for (int j = 0; j < N; ++j) f0.v[j] = std::min(f0.v[j], 1.0f);
     const SampledSpectrum<N> specular(m.specular()), base = m.base_color();
     auto dielectric = SpectralFresnel<N>::schlick(f0 * specular, specular);

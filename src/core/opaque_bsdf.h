@@ -18,11 +18,6 @@ struct OpaqueMaterial {
   T r0;  ///< the dielectric's reflectance at normal incidence
 };
 
-/// Of a dielectric, in air. @param ior 0: of a perfect mirror
-inline float normal_reflectance(float ior) {
-  return ior == 0.0f ? 1.0f : sqr((ior - 1.0f) / (ior + 1.0f));
-}
-
 template <int N>
 OpaqueMaterial<N, float> opaque_material(const ShadingMaterial<N>& m) {
   return {.base = m.base_color(),

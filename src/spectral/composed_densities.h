@@ -41,7 +41,7 @@ class ComposedDensities {
   const Piece* piece_at(std::size_t k, double v, const std::uint32_t* guide) const;
 
   std::vector<Density> densities_;
-  double steps_;                      ///< of u
+  double steps_ = 0;                  ///< of u
   std::vector<std::uint32_t> guide_;  ///< N for each step: a density's first piece there
 };
 

@@ -103,7 +103,9 @@ class GeometryLoader {
   /// No array that no surface needs; no room beyond what is needed.
   void allocate() {
     const std::size_t vertices = plan_.vertices;
-    geometry_.positions.reserve(vertices + 1);  // Embree reads 16 bytes at a time
+    // Embree and surface_points read 16 bytes at a time.
+    geometry_.positions.reserve(vertices + 1);
+    if (plan_.normals) geometry_.normals.reserve(vertices + 1);
     geometry_.positions.resize(vertices);
     geometry_.triangles.reserve(plan_.triangles);
     if (plan_.normals) geometry_.normals.resize(vertices);

@@ -31,6 +31,7 @@ AreaLightLanes::AreaLightLanes(const std::array<const AreaLight*, kLanes>& light
   normal = {number[9], number[10], number[11]};
   area = number[12], error = number[13];
   triangle = reinterpret_cast<UintLanes>(number[14]);
+  // GCC and clang fill bit-fields from the lowest bit.
   const auto bits = reinterpret_cast<UintLanes>(number[15]);
   material = bits & 0x3fffffffu;
   parallelogram = (bits & (1u << 30)) != 0u, double_sided = (bits & (1u << 31)) != 0u;
