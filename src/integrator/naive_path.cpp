@@ -49,7 +49,7 @@ template <int N>
 Xyz NaivePathTracer<N>::trace(const PathKey& path) {
   const SampleStream stream(options_.sequence, options_.seed, path.pixel, path.sample);
   const auto sampled = sample_wavelengths<N>(sampler_, wavelength_u(stream));
-  const PathWavelengths<N> wavelengths(sampled, *options_.observer);
+  const PathWavelengths<N> wavelengths = look_up(sampled, *options_.observer);
   const SampledSpectrum<N> lambda = wavelengths.lambda;
 
   Ray ray = camera_ray(scene_.scene.camera, path.pixel, stream);

@@ -19,12 +19,11 @@ static_assert(kBuckets < 256);
 }  // namespace
 
 template <int N, Features kHas>
-PathTracer<N, kHas>::PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths,
-                                const RenderOptions& options, const WavelengthTable& table)
+PathTracer<N, kHas>::PathTracer(const PreparedScene& scene, const CompiledSampler& sampler,
+                                const RenderOptions& options)
     : scene_(scene),
-      sampler_(wavelengths),
+      sampler_(sampler),
       options_(options),
-      table_(table),
       batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene),
       shading_(scene) {
   if (has_media()) camera_media_ = media_at(scene, scene.scene.camera.position);
@@ -76,27 +75,36 @@ void PathTracer<N, kHas>::start(std::span<const PathKey> paths) {
     const UintLanes pixel = gather(batch_.pixel.data(), packet);
     const SampleStreamLanes stream(options_.sequence, UintLanes{} + options_.seed, pixel, sample);
     batch_.stream.scatter(packet, stream);
-    draw_wavelengths(packet, stream);
+    draw_wavelengths(packet, stream.bits(kWavelength));
     leave_camera(packet, camera_rays(scene_.scene.camera, pixel, stream));
   }
   stats_.paths += paths.size();
 }
 
-/// In two loops, in which what neighbouring paths wait for overlaps.
 template <int N, Features kHas>
-void PathTracer<N, kHas>::draw_wavelengths(const Packet& packet, const SampleStreamLanes& stream) {
-  const UintLanes bits = stream.bits(kWavelength);
-  std::array<SampledWavelengths<N>, kLanes> sampled;
-  for (int i = 0; i < packet.count; ++i)
-    sampled[static_cast<std::size_t>(i)] = sample_wavelengths<N>(sampler_, SampleStream::fine(lane(bits, i)));
+void PathTracer<N, kHas>::draw_wavelengths(const Packet& packet, UintLanes bits) {
+  const WavelengthLanes<N> drawn = sampler_.draw<N>(bits);
+  const auto [x, y, z, emission] = sampler_.look_up(drawn, 0);
+  const auto lambda = by_lane(drawn.lambda), weight = by_lane(drawn.weight), wx = by_lane(drawn.weight * x),
+             wy = by_lane(drawn.weight * y), wz = by_lane(drawn.weight * z);
   for (int i = 0; i < packet.count; ++i) {
-    const std::uint32_t slot = packet[i];
-    const SampledWavelengths<N>& one = sampled[static_cast<std::size_t>(i)];
-    batch_.wavelengths[slot] =
-        PathWavelengths<N>(one, table_.look_up<N>(one.lambda, batch_.emissions_of(slot)));
-    if (kHas.environment && !batch_.tints.empty())
-      batch_.tints[slot] = SampledTints<N>(batch_.wavelengths[slot].lambda);
+    const auto k = static_cast<std::size_t>(i);
+    batch_.wavelengths[packet[i]] = {lambda[k], weight[k], {wx[k], wy[k], wz[k]}};
+    if (kHas.environment && !batch_.tints.empty()) batch_.tints[packet[i]] = SampledTints<N>(lambda[k]);
   }
+  const std::size_t emissions = batch_.emission_count();
+  if (emissions > 0) set_emissions(packet, 0, emission);
+  for (std::size_t e = 1; e < emissions; e += 4) {
+    const auto four = sampler_.look_up(drawn, 3 + e);
+    for (std::size_t i = 0; i < 4 && e + i < emissions; ++i) set_emissions(packet, e + i, four[i]);
+  }
+}
+
+template <int N, Features kHas>
+void PathTracer<N, kHas>::set_emissions(const Packet& packet, std::size_t e, const SpectrumLanes<N>& values) {
+  const auto by_path = by_lane(values);
+  for (int i = 0; i < packet.count; ++i)
+    batch_.emissions_of(packet[i])[e] = by_path[static_cast<std::size_t>(i)];
 }
 
 template <int N, Features kHas>

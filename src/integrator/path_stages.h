@@ -2,12 +2,12 @@
 
 #include <span>
 
+#include "core/compiled_sampler.h"
 #include "integrator/features.h"
 #include "integrator/integrator.h"
 #include "integrator/non_finite_watch.h"
 #include "integrator/path_batch.h"
 #include "integrator/shading_stage.h"
-#include "spectral/wavelength_table.h"
 
 namespace photopic {
 
@@ -16,9 +16,8 @@ namespace photopic {
 template <int N, Features kHas>
 class PathTracer {
  public:
-  /// @param table of the scene's emissions and the observer
-  PathTracer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& options,
-             const WavelengthTable& table);
+  /// @param sampler of the scene's emissions
+  PathTracer(const PreparedScene& scene, const CompiledSampler& sampler, const RenderOptions& options);
 
   /// Traces the paths and adds them to the film in the order given. At most options.batch_size of them.
   void trace(std::span<const PathKey> paths, Film& film);
@@ -34,7 +33,8 @@ class PathTracer {
   /// Every stage of the paths, up to what each has gathered.
   void advance(std::span<const PathKey> paths);
   void start(std::span<const PathKey> paths);
-  void draw_wavelengths(const Packet& packet, const SampleStreamLanes& stream);
+  void draw_wavelengths(const Packet& packet, UintLanes bits);
+  void set_emissions(const Packet& packet, std::size_t e, const SpectrumLanes<N>& values);
   void leave_camera(const Packet& packet, const RayLanes& rays);
   void intersect(bool coherent);
   void escape();
@@ -51,9 +51,8 @@ class PathTracer {
   void count_non_finite(std::span<const PathKey> paths);
 
   const PreparedScene& scene_;
-  const WavelengthSampler& sampler_;
+  const CompiledSampler& sampler_;
   const RenderOptions& options_;
-  const WavelengthTable& table_;
   PathBatch<N> batch_;
   ShadingStage<N, kHas> shading_;
   PathMedia camera_media_;  ///< around the camera

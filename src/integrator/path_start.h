@@ -4,7 +4,7 @@
 
 #include "core/camera.h"
 #include "core/sample_sequence.h"
-#include "spectral/observer.h"
+#include "spectral/path_wavelengths.h"
 #include "spectral/wavelength_sampler.h"
 
 namespace photopic {
@@ -30,49 +30,6 @@ enum BounceDimension : std::uint32_t {
 inline std::uint32_t bounce_dimension(int depth, BounceDimension which) {
   return kFirstBounce + static_cast<std::uint32_t>(depth) * kPerBounce + which;
 }
-
-/// The N wavelengths of a path with all that depends on them alone, computed where λ is still a double: a
-/// line of 0.01 nm needs the digits.
-template <int N>
-struct PathWavelengths {
-  SampledSpectrum<N> lambda;                           ///< [nm]
-  SampledSpectrum<N> weight;                           ///< 1/S(λ_j) [nm]
-  std::array<SampledSpectrum<N>, 3> xyz_per_radiance;  ///< h(λ_j) / (S(λ_j)·∫ȳ dλ) for X, Y and Z
-
-  PathWavelengths() = default;
-
-  /// @param h x̄, ȳ and z̄ over ∫ȳ dλ at the wavelengths
-  PathWavelengths(const SampledWavelengths<N>& w, const std::array<SampledSpectrum<N>, 3>& h) {
-    SampledSpectrum<N> sum;
-    for (int j = 0; j < N; ++j) lambda.v[j] = static_cast<float>(w.lambda[j]);
-    for (int j = 0; j < N; ++j) sum.v[j] = static_cast<float>(w.density_sum[j]);
-    weight = SampledSpectrum<N>(1.0f) / sum;
-    for (std::size_t i = 0; i < 3; ++i) xyz_per_radiance[i] = h[i] * weight;
-  }
-
-  /// The plain way, looking up each wavelength.
-  PathWavelengths(const SampledWavelengths<N>& w, const Observer& observer) {
-    for (int j = 0; j < N; ++j) {
-      lambda.v[j] = static_cast<float>(w.lambda[j]);
-      weight.v[j] = static_cast<float>(1.0 / w.density_sum[j]);
-      const Xyz h = observer(w.lambda[j]) * (1.0 / (w.density_sum[j] * observer.y_integral()));
-      xyz_per_radiance[0].v[j] = static_cast<float>(h.x);
-      xyz_per_radiance[1].v[j] = static_cast<float>(h.y);
-      xyz_per_radiance[2].v[j] = static_cast<float>(h.z);
-    }
-  }
-
-  /// How much radiance counts at each wavelength, X, Y and Z alike.
-  SampledSpectrum<N> importance() const {
-    return xyz_per_radiance[0] + xyz_per_radiance[1] + xyz_per_radiance[2];
-  }
-
-  /// The balance-heuristic estimate of XYZ: Σ_j h(λ_j)·L(λ_j) / S(λ_j).
-  Xyz to_xyz(SampledSpectrum<N> radiance) const {
-    return {(xyz_per_radiance[0] * radiance).sum(), (xyz_per_radiance[1] * radiance).sum(),
-            (xyz_per_radiance[2] * radiance).sum()};
-  }
-};
 
 template <int N>
 SampledSpectrum<N> sample_emission(const TabulatedSpectrum& emission, const SampledWavelengths<N>& w) {

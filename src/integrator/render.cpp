@@ -42,15 +42,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 template <typename Tracer>
 class TileRenderer {
  public:
-  /// @param shared what the tracers of all threads need besides
-  template <typename... Shared>
-  TileRenderer(const PreparedScene& scene, const WavelengthSampler& wavelengths, const RenderOptions& asked,
-               const Shared&... shared)
+  /// @param sampler what the tracers take their wavelengths from
+  TileRenderer(const PreparedScene& scene, const auto& sampler, const RenderOptions& asked)
       : camera_(scene.scene.camera),
         options_(asked),
-        tracers_([this, &scene, &wavelengths, &shared...] {
-          return Tracer(scene, wavelengths, options_, shared...);
-        }),
+        tracers_([this, &scene, &sampler] { return Tracer(scene, sampler, options_); }),
         film_(camera_.width, camera_.height) {
     const int task = film_tiles(camera_).front().pixel_count() * kSamplesPerPass;
     options_.batch_size = std::min(asked.batch_size, task);
@@ -151,9 +147,9 @@ RenderResult with_width(const WavelengthSampler& wavelengths, const Render& rend
 template <Features kHas>
 RenderResult render_with(const PreparedScene& scene, const WavelengthSampler& wavelengths,
                          const RenderOptions& options) {
-  const WavelengthTable table(*options.observer, scene.scene.emission_spectra);
+  const CompiledSampler sampler(wavelengths, *options.observer, scene.scene.emission_spectra);
   return with_width(wavelengths, [&]<int N>(std::integral_constant<int, N>) {
-    return TileRenderer<PathTracer<N, kHas>>(scene, wavelengths, options, table).render();
+    return TileRenderer<PathTracer<N, kHas>>(scene, sampler, options).render();
   });
 }
 

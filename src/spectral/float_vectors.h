@@ -10,7 +10,6 @@ using Float1 [[gnu::vector_size(4)]] = float;
 using Float4 [[gnu::vector_size(16)]] = float;
 using Float8 [[gnu::vector_size(32)]] = float;
 using Float16 [[gnu::vector_size(64)]] = float;
-using Double4 [[gnu::vector_size(32)]] = double;
 using Double8 [[gnu::vector_size(64)]] = double;
 
 /// Numbers that stand in a row in memory, aligned or not.
@@ -31,14 +30,6 @@ inline Vector sqrt_of(Vector square) {
   constexpr int kSize = sizeof(square) / sizeof(square[0]);
   for (int j = 0; j < kSize; ++j) square[j] = std::sqrt(square[j]);
   return square;
-}
-
-/// The root of what is positive, else 0.
-inline double root(double square) {
-  return square > 0.0 ? std::sqrt(square) : 0.0;
-}
-inline Double4 root(Double4 square) {
-  return sqrt_of(square > 0.0 ? square : Double4{});
 }
 
 /// The two halves of a vector.

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "spectral/compensated_sum.h"
-#include "spectral/linear_density.h"
 
 namespace photopic {
 namespace {
@@ -99,29 +99,12 @@ double PiecewiseLinearDensity::inverse(double u) const {
 PiecewiseLinearDensity::Draw PiecewiseLinearDensity::draw(double u) const {
   u = std::clamp(u, 0.0, 1.0);
   const Cell* cell = &cells_[cell_of_u_.find(u)];
-  const auto way = way_to(std::max(0.0, u - cell->cdf), cell->f, cell->slope);
-  return {std::min(cell->x + way.s, cell[1].x), way.density};
-}
-
-void PiecewiseLinearDensity::draw_strata(double u, std::span<double> x, std::span<double> density) const {
-  const auto strata = static_cast<double>(x.size());
-  std::size_t j = 0;
-  for (; j + 4 <= x.size(); j += 4) {
-    const Double4 v = (Double4{0.0, 1.0, 2.0, 3.0} + (u + static_cast<double>(j))) * (1.0 / strata);
-    const Cell *a = &cells_[cell_of_u_.find(v[0])], *b = &cells_[cell_of_u_.find(v[1])],
-               *c = &cells_[cell_of_u_.find(v[2])], *d = &cells_[cell_of_u_.find(v[3])];
-    auto start = load<Double4>(a), cdf = load<Double4>(b), f = load<Double4>(c), slope = load<Double4>(d);
-    transpose(start, cdf, f, slope);
-    const Double4 end{a[1].x, b[1].x, c[1].x, d[1].x}, mass = v - cdf;
-    const auto way = way_to(mass > 0.0 ? mass : Double4{}, f, slope);
-    const Double4 reached = start + way.s;
-    store(&x[j], reached < end ? reached : end);
-    store(&density[j], way.density * strata);
-  }
-  for (; j < x.size(); ++j) {
-    const Draw drawn = draw((u + static_cast<double>(j)) / strata);
-    x[j] = drawn.x, density[j] = drawn.density * strata;
-  }
+  const double mass = std::max(0.0, u - cell->cdf);
+  // This form of the root neither cancels nor divides by a slope of zero, and the square root itself is the
+  // density.
+  const double density = std::sqrt(std::max(0.0, cell->f * cell->f + 2.0 * cell->slope * mass));
+  const double s = 2.0 * mass / (cell->f + density + std::numeric_limits<double>::min());
+  return {std::min(cell->x + s, cell[1].x), density};
 }
 
 }  // namespace photopic

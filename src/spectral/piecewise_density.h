@@ -28,10 +28,6 @@ class PiecewiseLinearDensity {
   };
   Draw draw(double u) const;  ///< u in [0, 1]; never inside a cell without mass
 
-  /// A draw from each of N strata of equal probability: at (u + j)/N.
-  /// @param u in [0, 1)  @param x, density N of each; the densities are those within the strata, N times this
-  void draw_strata(double u, std::span<double> x, std::span<double> density) const;
-
   std::span<const double> x() const { return x_; }
   std::span<const double> value() const { return value_; }  ///< normalised
 

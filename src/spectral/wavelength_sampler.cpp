@@ -58,7 +58,10 @@ double sum_at(const VisibleWavelengths& s, double lambda) {
 
 void draw(const IlluminantWavelengths& s, double u, std::span<double> lambda, std::span<double> sum) {
   // Stratum j has the density N·b inside it and none outside, so the N of them add up to N·b.
-  s.base.draw_strata(u, lambda, sum);
+  for (int j = 0; j < s.count; ++j) {
+    const auto drawn = s.base.draw((u + j) / s.count);
+    lambda[j] = drawn.x, sum[j] = s.count * drawn.density;
+  }
 }
 
 double sum_at(const IlluminantWavelengths& s, double lambda) {
@@ -111,23 +114,33 @@ std::vector<bool> orientations(const WavelengthDistribution& distribution) {
   return backwards;
 }
 
+/// Of densities with the same knots.
+PiecewiseLinearDensity mean_of(std::span<const PiecewiseLinearDensity> densities) {
+  const auto x = densities[0].x();
+  std::vector<double> sum(x.size());
+  for (const PiecewiseLinearDensity& one : densities)
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += one.value()[i];
+  return {{x.begin(), x.end()}, std::move(sum)};
+}
+
 }  // namespace
 
 OptimizedWavelengths::OptimizedWavelengths(const WavelengthDistribution& distribution)
     : base_(distribution.base),
       densities_(densities_on_t(distribution)),
       backwards_(orientations(distribution)),
-      composed_(base_, densities_, backwards_) {}
+      mean_(mean_of(densities_)) {}
 
 void OptimizedWavelengths::draw(double u, std::span<double> lambda, std::span<double> density_sum) const {
-  composed_.draw(u, lambda, density_sum);
+  for (std::size_t k = 0; k < densities_.size(); ++k) {
+    const double t = densities_[k].inverse(backwards_[k] ? 1.0 - u : u);
+    const auto drawn = base_.draw(t);
+    lambda[k] = drawn.x, density_sum[k] = count() * mean_.density(t) * drawn.density;
+  }
 }
 
 double OptimizedWavelengths::density_sum(double lambda) const {
-  const double t = base_.cdf(lambda);
-  double sum = 0.0;
-  for (const PiecewiseLinearDensity& q : densities_) sum += q.density(t);
-  return sum * base_.density(lambda);
+  return count() * mean_.density(base_.cdf(lambda)) * base_.density(lambda);
 }
 
 std::vector<double> OptimizedWavelengths::breakpoints(std::span<const double> knots) const {

@@ -5,7 +5,6 @@
 #include <variant>
 #include <vector>
 
-#include "spectral/composed_densities.h"
 #include "spectral/piecewise_density.h"
 #include "spectral/sampled_spectrum.h"
 #include "spectral/wavelength_distribution.h"
@@ -31,10 +30,13 @@ struct IlluminantWavelengths {
   PiecewiseLinearDensity base;
 };
 
-/// The N optimised densities of a WavelengthDistribution, compiled for drawing.
+/// The N optimised densities of a WavelengthDistribution.
 class OptimizedWavelengths {
  public:
   explicit OptimizedWavelengths(const WavelengthDistribution& distribution);
+  const PiecewiseLinearDensity& base() const { return base_; }
+  const std::vector<PiecewiseLinearDensity>& densities() const { return densities_; }  ///< q_k on t
+  const std::vector<bool>& backwards() const { return backwards_; }
   int count() const { return static_cast<int>(densities_.size()); }
   void draw(double u, std::span<double> lambda, std::span<double> density_sum) const;
   double density_sum(double lambda) const;
@@ -43,9 +45,9 @@ class OptimizedWavelengths {
 
  private:
   PiecewiseLinearDensity base_;
-  std::vector<PiecewiseLinearDensity> densities_;  ///< q_k on t
+  std::vector<PiecewiseLinearDensity> densities_;
   std::vector<bool> backwards_;
-  ComposedDensities composed_;  ///< p_k, for drawing
+  PiecewiseLinearDensity mean_;  ///< Σ_k q_k / N
 };
 
 using WavelengthSampler =

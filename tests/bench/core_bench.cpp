@@ -1,8 +1,11 @@
-// What every path does beside tracing rays and shading: its numbers, its camera ray, spectra at its
-// wavelengths, light samples, the film.
+// What every path does beside tracing rays and shading: its numbers, its wavelengths, its camera ray,
+// spectra, light samples, the film.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+
 #include "core/camera.h"
+#include "core/compiled_sampler.h"
 #include "core/film.h"
 #include "core/lights/area_light.h"
 #include "core/sample_sequence.h"
@@ -13,6 +16,56 @@
 
 namespace photopic {
 namespace {
+
+TabulatedSpectrum fluorescent_lamp() {
+  return tabulate_emission(*cie_illuminant("FL11"));
+}
+
+/// Neighbouring bumps on 48 nodes: as costly to draw from as an optimised distribution.
+WavelengthDistribution bumps(const TabulatedSpectrum& lamp, int count) {
+  WavelengthDistribution distribution{base_density(lamp), {}, {}, {}, {}};
+  for (int k = 0; k < count; ++k) {
+    WavelengthDistribution::Component component;
+    for (int i = 0; i < 48; ++i) {
+      const double distance = i / 47.0 - (k + 0.5) / count;
+      component.nodes.push_back(std::exp(-50.0 * distance * distance));
+    }
+    component.backwards = k % 2 == 1;
+    distribution.components.push_back(component);
+  }
+  return distribution;
+}
+
+/// Sixteen paths' wavelengths, with observer and emission there.
+template <int N>
+void draw(benchmark::State& state, const WavelengthSampler& sampler) {
+  const TabulatedSpectrum lamp = fluorescent_lamp();
+  const CompiledSampler compiled(sampler, Observer::cie1931(), std::span(&lamp, 1));
+  UintLanes bits;
+  for (int i = 0; i < kLanes; ++i) bits[i] = static_cast<std::uint32_t>(i) * 0x10000000u;
+  for (auto _ : state) {
+    bits += 0x9e3779b9u;  // the golden ratio: every stratum alike
+    auto w = compiled.draw<N>(bits);
+    auto values = compiled.look_up(w, 0);
+    benchmark::DoNotOptimize(w);
+    benchmark::DoNotOptimize(values);
+  }
+  state.SetItemsProcessed(state.iterations() * kLanes);
+}
+
+template <int N>
+bool add_draws() {
+  const TabulatedSpectrum lamp = fluorescent_lamp();
+  const WavelengthSampler samplers[] = {UniformWavelengths{N}, VisibleWavelengths{N},
+                                        IlluminantWavelengths{N, base_density(lamp)},
+                                        OptimizedWavelengths(bumps(lamp, N))};
+  for (const WavelengthSampler& sampler : samplers) {
+    const std::string name = "draw/" + std::string(sampler_name(sampler)) + "/" + std::to_string(N);
+    benchmark::RegisterBenchmark(name.c_str(), draw<N>, sampler);
+  }
+  return true;
+}
+const bool added_draws = add_draws<1>() && add_draws<4>() && add_draws<8>() && add_draws<16>();
 
 SampleStream stream(benchmark::State& state, std::uint32_t sample) {
   return {static_cast<Sequence>(state.range(0)), 7, 1234, sample};

@@ -1,81 +1,14 @@
 // The spectral kernels that every path or pixel runs.
 #include <benchmark/benchmark.h>
 
-#include <array>
 #include <cmath>
 
 #include "spectral/color_difference.h"
-#include "spectral/illuminants.h"
 #include "spectral/rgb_upsampling.h"
-#include "spectral/wavelength_sampler.h"
-#include "spectral/wavelength_table.h"
+#include "spectral/spectrum.h"
 
 namespace photopic {
 namespace {
-
-TabulatedSpectrum fluorescent_lamp() {
-  return tabulate_emission(*cie_illuminant("FL11"));
-}
-
-/// Neighbouring bumps on 48 nodes: as costly to draw from as an optimised distribution.
-WavelengthDistribution bumps(const TabulatedSpectrum& lamp, int count) {
-  WavelengthDistribution distribution{base_density(lamp), {}, {}, {}, {}};
-  for (int k = 0; k < count; ++k) {
-    WavelengthDistribution::Component component;
-    for (int i = 0; i < 48; ++i) {
-      const double distance = i / 47.0 - (k + 0.5) / count;
-      component.nodes.push_back(std::exp(-50.0 * distance * distance));
-    }
-    component.backwards = k % 2 == 1;
-    distribution.components.push_back(component);
-  }
-  return distribution;
-}
-
-template <int N>
-void draw(benchmark::State& state, const WavelengthSampler& sampler) {
-  double u = 0.5;
-  for (auto _ : state) {
-    u = u + 0.618033988749895;  // the golden ratio: every stratum alike
-    u -= std::floor(u);
-    SampledWavelengths<N> w = sample_wavelengths<N>(sampler, u);
-    benchmark::DoNotOptimize(w);
-  }
-  state.SetItemsProcessed(state.iterations());
-}
-
-template <int N>
-bool add_draws() {
-  const TabulatedSpectrum lamp = fluorescent_lamp();
-  const WavelengthSampler samplers[] = {UniformWavelengths{N}, VisibleWavelengths{N},
-                                        IlluminantWavelengths{N, base_density(lamp)},
-                                        OptimizedWavelengths(bumps(lamp, N))};
-  for (const WavelengthSampler& sampler : samplers) {
-    const std::string name = "draw/" + std::string(sampler_name(sampler)) + "/" + std::to_string(N);
-    benchmark::RegisterBenchmark(name.c_str(), draw<N>, sampler);
-  }
-  return true;
-}
-const bool added = add_draws<1>() && add_draws<4>() && add_draws<8>() && add_draws<16>();
-
-/// The observer and a lamp at the wavelengths of a path, wavelengths drawn uniformly.
-template <int N>
-void look_up_path(benchmark::State& state) {
-  const std::vector<TabulatedSpectrum> lamps{fluorescent_lamp()};
-  const WavelengthTable table(Observer::cie1931(), lamps);
-  std::array<SampledSpectrum<N>, 1> emission;
-  double u = 0.5;
-  for (auto _ : state) {
-    u = u + 0.618033988749895;
-    u -= std::floor(u);
-    const auto w = sample_wavelengths<N>(UniformWavelengths{N}, u);
-    auto observer = table.look_up<N>(w.lambda, emission);
-    benchmark::DoNotOptimize(observer);
-    benchmark::DoNotOptimize(emission);
-  }
-}
-BENCHMARK_TEMPLATE(look_up_path, 4);
-BENCHMARK_TEMPLATE(look_up_path, 8);
 
 void upsample(benchmark::State& state) {
   Rgb rgb{0.2, 0.5, 0.7};
