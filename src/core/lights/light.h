@@ -30,7 +30,7 @@ struct LightSample {
   std::uint32_t triangle = 0;            ///< of an area light: where the point lies
 };
 
-/// A light's probability is 0 … 1 among all others.
+/// Stands where there is no light.
 inline constexpr std::uint32_t kNoLight = ~0u;
 
 }  // namespace photopic

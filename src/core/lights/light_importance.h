@@ -31,9 +31,8 @@ Lanes importance(const LightBranch<B>& branch, const BasicLightReference<P>& at)
   const Lanes to_middle2 = dx * dx + dy * dy + dz * dz, radius2 = zero + branch.radius * branch.radius;
   const IntLanes inside = to_middle2 <= radius2;
   const Lanes inverse = 1.0f / sqrt(max(max(to_middle2, radius2), zero + kLeastDistance2));
-  // Half the angle that the sphere subtends; its cosine a little too large, so that no light seems to set
-  // early.
-  const Lanes sin_b = branch.radius * inverse, cos_b = 1.0f - 0.5f * sin_b * sin_b;
+  // Half the angle that the sphere subtends.
+  const Lanes sin_b = branch.radius * inverse, sin2_b = sin_b * sin_b;
 
   const P all_around = select(dot(at.normal, at.normal) == 0.0f, P{} + 1.0f, P{});
   const Lanes height = (at.normal.x * dx + at.normal.y * dy + at.normal.z * dz) * inverse;
@@ -45,6 +44,8 @@ Lanes importance(const LightBranch<B>& branch, const BasicLightReference<P>& at)
   const IntLanes in_cone = cos_w >= branch.cos_o;
   const Lanes cos_x = select(in_cone, one, cos_w * branch.cos_o + sin_w * branch.sin_o);
   const Lanes sin_x = select(in_cone, zero, sin_w * branch.cos_o - cos_w * branch.sin_o);
+  // 1 − sin² ≤ cos ≤ 1 − sin²/2: the bound that lets no light seem to set early.
+  const Lanes cos_b = one - select(cos_x < 0.0f, sin2_b, 0.5f * sin2_b);
   const Lanes cos_light = select(inside | (cos_x >= cos_b), one, min(cos_x * cos_b + sin_x * sin_b, one));
   const Lanes shines = select(cos_light > branch.cos_e, max(cos_light, zero), zero);
   return branch.power * cos_surface * shines * (inverse * inverse);

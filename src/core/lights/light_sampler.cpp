@@ -39,14 +39,17 @@ LightBounds bounds_of(const AreaLight& light) {
           .two_sided = light.double_sided};
 }
 
+/// A cone that shines no further than it is wide still holds what rounding leaves of it.
+constexpr float kWidestCosine = 1.0f - 1e-6f;
+
 LightBounds bounds_of(const PunctualLight& light) {
   const bool spot = light.kind == PunctualLight::Kind::spot;
+  const float rim = spot ? std::max(std::acos(light.cos_outer) - std::acos(light.cos_inner), 0.0f) : 0.0f;
   return {.low = light.position,
           .high = light.position,
           .axis = light.direction,
           .cos_o = spot ? light.cos_inner : -1.0f,
-          .cos_e = spot ? std::cos(std::max(std::acos(light.cos_outer) - std::acos(light.cos_inner), 0.0f))
-                        : -1.0f};
+          .cos_e = spot ? std::min(std::cos(rim), kWidestCosine) : -1.0f};
 }
 
 }  // namespace

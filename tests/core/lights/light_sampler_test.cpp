@@ -102,6 +102,38 @@ SceneBuilder many_lamps() {
   return b;
 }
 
+/// Spots whose cone ends without a rim, many enough for the tree: on average they light a place as much as
+/// they do together.
+TEST(LightSampler, SpotsWithHardEdges) {
+  SceneBuilder b = three_lamps(true);
+  Scene scene = b.build();
+  for (Material& m : scene.materials) m.emission_luminance = 0.0f;
+  for (int i = 0; i < 64; ++i) {
+    const float x = static_cast<float>(i % 8) - 3.5f, y = static_cast<float>(i / 8) - 3.5f;
+    const float cosine = std::cos(0.1f + 0.01f * static_cast<float>(i));
+    scene.punctual_lights.push_back({.kind = PunctualLight::Kind::spot,
+                                     .position = {x, y, 3},
+                                     .direction = normalize(Vec3f{0.3f * y, -0.2f * x, -1}),
+                                     .cos_inner = cosine,
+                                     .cos_outer = cosine,
+                                     .intensity = 1.0f,
+                                     .emission_spectrum = 0});
+  }
+  const LightSampler lights(scene);
+  for (std::uint32_t k = 0; k < 200; ++k) {
+    const SampleStream place(Sequence::independent, 3, 0, k);
+    const Vec3f at{place.get_1d(0) * 8 - 4, place.get_1d(1) * 8 - 4, place.get_1d(2) * 2.9f};
+    double together = 0.0, estimate = 0.0;
+    for (const PunctualLight& light : scene.punctual_lights)
+      if (const auto s = light.sample(at)) together += double{s->radiance};
+    constexpr int kSamples = 4096;
+    for (int i = 0; i < kSamples; ++i)
+      if (const auto s = lights.sample({at, {}}, {}, (i + 0.5) / kSamples, {}))
+        estimate += double{s->radiance} / double{s->pdf} / kSamples;
+    EXPECT_NEAR(estimate, together, 0.02 * together) << k;
+  }
+}
+
 /// The density that a sample has is the one that is found for a ray which hits its point; and their sum over
 /// directions is 1: the mean of Σ over lamps of solid angle × density.
 TEST(LightSampler, DensitiesAreFoundAgain) {

@@ -148,6 +148,22 @@ TEST(LightTree, LightsThatReachAreChosen) {
   }
 }
 
+/// Nor close in front of it, where its branch is seen from the side: pairs of spots that shine downwards.
+TEST(LightTree, SpotsReachWhatIsCloseToThem) {
+  std::vector<LightBounds> lights;
+  for (int i = 0; i < 32; ++i) {
+    const Vec3f pair{50.0f * static_cast<float>(i / 8), 0, 50.0f * static_cast<float>(i / 2 % 4)};
+    const Vec3f p = pair + Vec3f{0.819f, 0.574f, 0} * (i % 2 ? 1.0f : -1.0f);
+    lights.push_back(
+        {.low = p, .high = p, .axis = {0, -1, 0}, .cos_o = 1.0f, .cos_e = 0.707f, .power = 1.0f});
+  }
+  const LightTree tree(lights);
+  for (std::uint32_t i = 0; i < 32; ++i)
+    for (const float x : {-0.057f, 0.0f, 0.057f})
+      for (const float z : {-0.05f, 0.0f, 0.05f})
+        EXPECT_GT(tree.probability({lights[i].low + Vec3f{x, -0.082f, z}, {}}, i), 0.0f) << i;
+}
+
 /// Near lights win over strong ones far away, and those that look away lose.
 TEST(LightTree, NearAndFacingLightsAreFavoured) {
   std::vector<LightBounds> lights;
