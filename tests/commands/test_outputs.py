@@ -1,6 +1,7 @@
 """Outputs that cannot be written: told in a line each, exit code 1, nothing old is lost, everything else is written."""
 
 import json
+import os
 import resource
 import subprocess
 import unittest
@@ -84,6 +85,72 @@ class FullDisk(OutputTest):
             self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
             self.assertIn("standard output", result.stderr)
         self.assertIn("No space left", result.stderr)
+
+
+class WhereTheyLead(OutputTest):
+    def info(self, target, **redirection):
+        return subprocess.run([BINARY, "info", str(self.scene), "--json", target], cwd=self.folder, timeout=DEADLINE,
+                              env=self.environment, **redirection)  # fmt: skip
+
+    def test_standard_output_is_written_where_it_stands(self):
+        log = self.folder / "log.txt"
+        for target in ["/dev/stdout", "/proc/self/fd/1", "/dev/fd/1"]:
+            log.write_text("before\n")
+            with open(log, "a") as out:
+                out.write("mine\n")
+                out.flush()
+                self.assertEqual(self.info(target, stdout=out).returncode, 0)
+                out.write("after\n")
+            text = log.read_text()
+            self.assertTrue(text.startswith("before\nmine\n"), text)
+            self.assertTrue(text.endswith("after\n"), text)
+            self.assertIn('"cameras"', text)
+            self.assertEqual({p.name for p in self.folder.iterdir()}, {"tiny.gltf", "log.txt"})
+
+    def test_standard_error_too(self):
+        with open(self.folder / "log.txt", "w") as out:
+            self.assertEqual(self.info("/dev/stderr", stderr=out, stdout=subprocess.DEVNULL).returncode, 0)
+        self.assertIn('"cameras"', (self.folder / "log.txt").read_text())
+
+    def test_links_are_followed_and_permissions_kept(self):
+        (self.folder / "there").mkdir()
+        real = self.folder / "there/real.exr"
+        (self.folder / "link.exr").symlink_to(real)
+        self.photopic(*self.render("-o", "link.exr", size="8x8"))
+        real.chmod(0o640)
+        self.photopic(*self.render("-o", "link.exr", size="8x8"))
+        self.assertTrue((self.folder / "link.exr").is_symlink())
+        self.assertEqual(real.stat().st_mode & 0o777, 0o640)
+
+    def test_long_names_can_be_written(self):
+        name = "n" * 251 + ".exr"
+        self.photopic(*self.render("-o", name, size="8x8"))
+        self.assertTrue((self.folder / name).exists())
+        self.assert_refused(self.render("-o", "n" + name), "n" + name, "File name too long")
+        self.assert_no_partial_files()
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everything")
+    def test_protected_files_and_folders_are_refused(self):
+        (self.folder / "keep.exr").write_text("precious")
+        (self.folder / "keep.exr").chmod(0o444)
+        self.assert_refused(self.render("-o", "keep.exr"), "keep.exr", "cannot be written to")
+        self.assertEqual((self.folder / "keep.exr").read_text(), "precious")
+        (self.folder / "closed").mkdir(0o555)
+        self.assert_refused(self.render("-o", "closed/a.exr"), "closed/a.exr", "Permission denied")
+
+    def test_what_cannot_take_its_place_is_kept(self):
+        """A folder that appears under the file's name meanwhile."""
+        command = [BINARY, *map(str, self.render("-o", "a.exr", "--spp", "64", size="128x128"))]
+        process = subprocess.Popen(command, cwd=self.folder, env=self.environment, stderr=subprocess.PIPE, text=True)
+        (self.folder / "a.exr").mkdir()
+        (self.folder / "a.exr/occupied").touch()
+        error = process.communicate(timeout=DEADLINE)[1]
+        self.assertEqual(process.returncode, 1)
+        if "cannot be replaced" in error:  # else it was seen before the render
+            kept = [path for path in self.folder.iterdir() if ".partial" in path.name]
+            self.assertEqual(len(kept), 1)
+            self.assertIn(str(kept[0].name), error)
+            self.assertEqual(kept[0].read_bytes()[:4], b"\x76\x2f\x31\x01")
 
 
 class RefusedEarly(OutputTest):
