@@ -54,7 +54,7 @@ class Place {
   float bound(const Hit& h) const { return scene_.touching.empty() ? 0.0f : scene_.touching[h.triangle]; }
 
   void search(const Ray& ray, float back, float reach) {
-    std::array<Hit, Contact::kCapacity> found;
+    std::array<Hit, Contact::kCapacity + 1> found;  // one more tells that there are more
     const std::size_t n = scene_.accel.crossings(ray, back + reach, found);
     overflowed_ = n == found.size();
     count_ = 1;
@@ -62,7 +62,10 @@ class Place {
       if (h.triangle == hit_.triangle && h.instance == hit_.instance) continue;
       const float depth = h.t - back;
       h.t = hit_.t;
-      if (count_ < faces_.size()) faces_[count_++] = face_of(scene_, h, onwards_, depth);
+      if (count_ < faces_.size())
+        faces_[count_++] = face_of(scene_, h, onwards_, depth);
+      else
+        overflowed_ = true;
     }
   }
 

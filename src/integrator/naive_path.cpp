@@ -58,7 +58,10 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
   for (int depth = 1, hidden = 0;; ++depth) {
     Hit hit = scene_.accel.intersect(ray);
     ++stats_.rays;
-    if (!is_traceable(ray)) radiance = SampledSpectrum<N>(std::numeric_limits<float>::quiet_NaN());
+    if (!is_traceable(ray)) {
+      radiance = SampledSpectrum<N>(std::numeric_limits<float>::quiet_NaN());
+      break;
+    }
     const bool escaped = hit.shape == kNoHit;
     attenuate(throughput, scene_, media.current(), lambda,
               escaped ? std::numeric_limits<float>::infinity() : hit.t);

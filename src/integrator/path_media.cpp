@@ -37,6 +37,7 @@ void PathTracer<N, kHas>::pass_hidden_surfaces() {
     intersect(false);
     absorb_and_emit();
   }
+  for (const std::uint32_t slot : batch_.active) arrived.push(slot);  // are shaded where they are
   batch_.active = std::move(arrived);
 }
 

@@ -4,12 +4,6 @@
 
 namespace photopic {
 
-/// A path whose last ray could not be traced is lost, whatever it had gathered.
-template <int N, Features kHas>
-bool PathTracer<N, kHas>::is_lost(std::size_t slot) const {
-  return !is_traceable(batch_.rays[slot]);
-}
-
 /// In the order of the slots: a pixel's sum has the same bits however its paths were batched.
 template <int N, Features kHas>
 void PathTracer<N, kHas>::finish(std::span<const PathKey> paths, Film& film) {

@@ -133,7 +133,7 @@ template <int N, Features kHas>
 void PathTracer<N, kHas>::escape() {
   const Environment& environment = *scene_.scene.environment;
   for (const std::uint32_t slot : batch_.active) {
-    if (batch_.hits[slot].shape != kNoHit) continue;
+    if (batch_.hits[slot].shape != kNoHit || is_lost(slot)) continue;
     const Vec3f direction = batch_.rays.direction[slot], rgb = environment.radiance(direction);
     SampledSpectrum<N> arriving = batch_.throughput[slot] * batch_.tints[slot](rgb.x, rgb.y, rgb.z) *
                                   batch_.emission_of(slot, environment.emission_spectrum);

@@ -46,7 +46,8 @@ class PathTracer {
   void prefetch_texels();
   void trace_shadow_rays();
   void roulette(int depth);
-  bool is_lost(std::size_t slot) const;
+  /// A path whose last ray could not be traced is lost, whatever it had gathered.
+  bool is_lost(std::size_t slot) const { return !is_traceable(batch_.rays[slot]); }
   void finish(std::span<const PathKey> paths, Film& film);
   void count_non_finite(std::span<const PathKey> paths);
 

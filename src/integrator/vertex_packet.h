@@ -77,7 +77,7 @@ struct VertexPacket {
       if (material[static_cast<std::size_t>(i)] != material[0]) return nullptr;
     return &scene.surfaces[material[0]];
   }
-  /// See Vertex::sides_agree.
+  /// See Vertex::sides_differ.
   IntLanes sides_agree(Vec3Lanes wi, Lanes cos_theta) const {
     return ~(dot(wi, point.geometric_normal) * cos_theta * dot(frame.n, point.geometric_normal) <= 0.0f);
   }

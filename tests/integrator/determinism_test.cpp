@@ -150,6 +150,13 @@ TEST(Render, NonFiniteSamplesHaveACause) {
       {[](Scene& s) { s.materials[2].emission_luminance = kInfinity; }, NonFiniteCause::emission},
       {[](Scene& s) { s.materials[1].base_color = ConstantSpectrum{kInfinity}; }, NonFiniteCause::scattering},
       {[](Scene& s) { s.camera.position.x = NAN; }, NonFiniteCause::camera},
+      {[](Scene& s) {
+         s.camera.position.x = NAN;  // leaves the scene, whose environment is not asked for that direction
+         Environment sky(Image(1000, 2), 0.0);
+         sky.emission_spectrum = 0;
+         s.environment = std::make_shared<const Environment>(std::move(sky));
+       },
+       NonFiniteCause::camera},
       {[](Scene& s) { s.camera.position.x = 1e30f; }, NonFiniteCause::camera},
       {[](Scene& s) { s.emission_spectra[0] = s.emission_spectra[0].scaled(1e200); },
        NonFiniteCause::wavelengths},
