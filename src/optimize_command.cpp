@@ -31,7 +31,7 @@ TabulatedSpectrum read_lamp(const std::string& text) {
   const Spectrum spectrum = parse_spectrum(text, ".", Beyond::zero);
   try {
     TabulatedSpectrum lamp = tabulate_emission(spectrum);
-    if (emission_xyz(lamp, Observer::cie1931()).y > 0) return lamp;
+    if (luminance(lamp) > 0.0) return lamp;
   } catch (const std::invalid_argument& problem) {
     throw InputError(text, problem.what(), "give the spectrum of a lamp");
   }
@@ -132,9 +132,8 @@ std::string lamp_names(const OptimizeArguments& arguments) {
 
 void draw_color_bar(const OptimizeArguments& arguments, const WavelengthDistribution& distribution,
                     const TabulatedSpectrum& light) {
-  const int count = arguments.wavelengths;
-  const std::vector<WavelengthSampler> samplers{UniformWavelengths{count}, VisibleWavelengths{count},
-                                                IlluminantWavelengths{count, base_density(light)},
+  const auto [uniform, visible, illuminant] = baseline_samplers(arguments.wavelengths, light);
+  const std::vector<WavelengthSampler> samplers{uniform, visible, illuminant,
                                                 OptimizedWavelengths(distribution)};
   if (is_svg(arguments.color_bar)) {
     write_file(arguments.color_bar, color_bar_plot(distribution.spectrum, samplers, light));

@@ -15,9 +15,9 @@ std::vector<SamplerRow> measure_samplers(const WavelengthDistribution& distribut
   const auto row = [&](const WavelengthSampler& sampler, double value) {
     return SamplerRow{std::string(sampler_name(sampler)), value, sampler_report(sampler, light, white)};
   };
-  return {row(UniformWavelengths{count}, distribution.uniform_value),
-          row(VisibleWavelengths{count}, distribution.visible_value),
-          row(IlluminantWavelengths{count, base_density(light)}, distribution.illuminant_value),
+  const auto [uniform, visible, illuminant] = baseline_samplers(count, light);
+  return {row(uniform, distribution.uniform_value), row(visible, distribution.visible_value),
+          row(illuminant, distribution.illuminant_value),
           row(OptimizedWavelengths(distribution), distribution.value)};
 }
 

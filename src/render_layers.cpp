@@ -74,7 +74,6 @@ ImageLayer variance_layer(bool xyz, const Film& film, const CovarianceFilm& cova
 }
 
 /// Fichet, Pacanowski, Wilkie 2021: An OpenEXR Layout for Spectral Images. Radiance is per nm, as in pbrt.
-/// What counts in a luminance [cd/m²] is 683.002 lm/W at 555 nm: CIE 018:2019.
 ImageLayer spectral_layer(const Film& film, const SpectralFilm& spectrum) {
   std::vector<std::string> names;
   for (int bin = 0; bin < spectrum.bins(); ++bin) {
@@ -82,7 +81,8 @@ ImageLayer spectral_layer(const Film& film, const SpectralFilm& spectrum) {
     std::ranges::replace(centre, '.', ',');
     names.push_back("S0." + centre + "nm");
   }
-  const double luminance = 683.002 * Observer::cie1931().y_integral();  // where spectral radiance is 1
+  const double luminance =
+      kMaximalEfficacy * Observer::cie1931().y_integral();  // where spectral radiance is 1
   return {std::move(names),
           {{"spectralLayoutVersion", "1.0"}, {"emissiveUnits", "W.m^-2.sr^-1"}},
           [&film, &spectrum, luminance](std::size_t pixel, std::span<float> values) {

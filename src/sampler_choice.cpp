@@ -23,7 +23,7 @@ White white_named(std::string_view name) {
   return name == "illuminant" ? White::illuminant : White::d65;
 }
 
-/// A scene's lamps as arguments of `photopic optimize`, which read back give the same lamp_set.
+/// A scene's lamps as `photopic optimize` takes them, so far as they have a spectrum that it can read.
 std::string lamp_names(const PreparedScene& scene) {
   const std::vector<double>& powers = scene.lights.power_of_spectrum();
   const double strongest = powers.empty() ? 0.0 : *std::max_element(powers.begin(), powers.end());
@@ -31,7 +31,7 @@ std::string lamp_names(const PreparedScene& scene) {
   for (std::size_t i = 0; i < powers.size(); ++i) {
     const std::string& name = scene.scene.emission_names[i];
     if (powers[i] > 0.0)
-      names.push_back(powers[i] == strongest ? name : fmt::format("{}*{:.4g}", name, powers[i] / strongest));
+      names.push_back(powers[i] == strongest ? name : fmt::format("{}*{:.7g}", name, powers[i] / strongest));
   }
   return fmt::format("{}", fmt::join(names, " "));
 }

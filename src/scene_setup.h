@@ -10,8 +10,8 @@
 
 namespace photopic {
 
-/// What the arguments name to be read: the scene, the distribution, the emitters' spectra. Some may be empty
-/// or no files.
+/// What the arguments name to be read: the scene, the distribution, spectra, the environment. Some may be
+/// empty or no files.
 std::vector<std::filesystem::path> input_files(const SceneArguments& arguments);
 
 /// What the arguments ask of the loader.

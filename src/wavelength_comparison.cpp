@@ -13,10 +13,7 @@ namespace photopic {
 namespace {
 
 void measure_baselines(WavelengthRow& row, const TabulatedSpectrum& light, White white) {
-  const WavelengthSampler samplers[] = {UniformWavelengths{row.wavelengths},
-                                        VisibleWavelengths{row.wavelengths},
-                                        IlluminantWavelengths{row.wavelengths, base_density(light)}};
-  for (const WavelengthSampler& sampler : samplers) {
+  for (const WavelengthSampler& sampler : baseline_samplers(row.wavelengths, light)) {
     const SamplerReport report = sampler_report(sampler, light, white);
     if (!row.baseline.empty() && report.reflectances_delta_e >= row.best_baseline.reflectances_delta_e)
       continue;

@@ -28,6 +28,7 @@ double squared_delta_e(const Lab& reference, Xyz sample, Xyz white) {
 }  // namespace
 
 ColorMetric color_metric(Xyz c, Xyz white) {
+  if (!(std::max({c.x, c.y, c.z}) > 0.0)) return {};
   const Lab reference = xyz_to_lab(c, white);
   Xyz step = steps(c, 1e-3);
   const auto at = [&](int i, double si, int j, double sj) {

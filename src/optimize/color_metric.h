@@ -10,7 +10,7 @@ namespace photopic {
 using ColorMetric = std::array<Xyz, 3>;
 
 /// The Cholesky factor of J, half the Hessian of ΔE00(c, ·)² at c, by central differences.
-/// @param white the white of CIELAB, on the scale of c
+/// Of black it is zero. @param white the white of CIELAB, on the scale of c
 ColorMetric color_metric(Xyz c, Xyz white);
 
 /// U δ: a small difference of colour, in ΔE along three axes.

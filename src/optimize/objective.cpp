@@ -32,6 +32,9 @@ Position position_in(const TargetTable& table, double t) {
   return {cell, x - cell};
 }
 
+/// Of a target that is black, up to rounding [ΔE²].
+constexpr double kNoVariance = 1e-20;
+
 }  // namespace
 
 Xyz white_of(White white, const TabulatedSpectrum& light) {
@@ -85,7 +88,8 @@ double EstimateLoss::asymptotic(std::span<Channels> estimates) const {
     const Matrix& form = forms_[m];
     double variance = 0.0;
     for (int a = 0; a < kChannels; ++a) variance += dot(form[a], covariance[a]);
-    const double deviation = std::sqrt(std::max(variance, 1e-20));
+    if (!(variance > kNoVariance)) continue;  // black has none, and the root no derivative there
+    const double deviation = std::sqrt(variance);
     value += weights_[m] * deviation;
     for (int a = 0; a < kChannels; ++a) by_covariance[a] += 0.5 * weights_[m] / deviation * form[a];
   }

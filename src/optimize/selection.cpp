@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -66,34 +67,35 @@ Selected best_of(const std::vector<Found>& pool, const PiecewiseLinearDensity& b
 
 void judge_baselines(WavelengthDistribution& distribution, const Targets& targets) {
   const int count = static_cast<int>(distribution.components.size());
-  const WavelengthSampler samplers[] = {IlluminantWavelengths{count, base_density(targets.mixed)},
-                                        VisibleWavelengths{count}, UniformWavelengths{count}};
-  double* const values[] = {&distribution.illuminant_value, &distribution.visible_value,
-                            &distribution.uniform_value};
-  tbb::parallel_for(0, 3, [&](int i) { *values[i] = sampler_value(samplers[i], targets); });
+  const auto samplers = baseline_samplers(count, targets.mixed);
+  const std::array values{&distribution.uniform_value, &distribution.visible_value,
+                          &distribution.illuminant_value};
+  tbb::parallel_for(std::size_t{0}, samplers.size(),
+                    [&](std::size_t i) { *values[i] = sampler_value(samplers[i], targets); });
 }
 
-void catch_up(WavelengthDistribution& best, const Targets& targets, const SearchSettings& settings,
+void catch_up(Selected& best, const Targets& targets, const SearchSettings& settings,
               SearchProgress& progress) {
-  const double baseline = std::min(best.illuminant_value, best.visible_value);
-  const auto take = [&](WavelengthDistribution better) {
-    if (!(better.value < best.value)) return;
-    better.illuminant_value = best.illuminant_value;
-    better.visible_value = best.visible_value;
-    better.uniform_value = best.uniform_value;
+  const WavelengthDistribution& found = best.distribution;
+  const double baseline = std::min(found.illuminant_value, found.visible_value);
+  const auto take = [&](Selected better) {
+    if (!(better.distribution.value < found.value)) return;
+    better.distribution.illuminant_value = found.illuminant_value;
+    better.distribution.visible_value = found.visible_value;
+    better.distribution.uniform_value = found.uniform_value;
     best = std::move(better);
   };
   const SearchLevel& level = settings.plan.back();
   const PiecewiseLinearDensity bases[] = {base_density(targets.mixed), base_density(targets.mixed, 0.0, 1.0)};
   for (const PiecewiseLinearDensity& base : bases) {
-    if (best.value <= baseline) return;
-    const Found found = improve(equal_strata(settings.wavelengths, level.nodes),
-                                std::make_shared<const EstimateLoss>(targets, base), level, settings);
-    progress.done(level, found.evaluations);
-    take(judged(base, found.candidate, targets));
+    if (found.value <= baseline) return;
+    Found descent = improve(equal_strata(settings.wavelengths, level.nodes),
+                            std::make_shared<const EstimateLoss>(targets, base), level, settings);
+    progress.done(level, descent.evaluations);
+    take({judged(base, descent.candidate, targets), descent.failed, std::move(descent.note)});
   }
   for (const PiecewiseLinearDensity& base : bases)
-    if (best.value > baseline) take(sharp_strata(base, settings.wavelengths, targets));
+    if (found.value > baseline) take({sharp_strata(base, settings.wavelengths, targets)});
 }
 
 }  // namespace photopic

@@ -13,13 +13,15 @@ namespace photopic {
 WavelengthDistribution judged(const PiecewiseLinearDensity& base, const Candidate& candidate,
                               const Targets& targets);
 
-/// The best of a search, by its judge: a density with a needle between two strata of u can fool the
-/// objective.
+/// A distribution, and how the descent that it comes from ended.
 struct Selected {
   WavelengthDistribution distribution;
-  bool failed = false;  ///< NLopt gave up on the descent it comes from
-  std::string note;
+  bool failed = false;  ///< NLopt gave up on it
+  std::string note = {};
 };
+
+/// The best of a search, by its judge: a density with a needle between two strata of u can fool the
+/// objective.
 /// @param pool not empty, the best first
 Selected best_of(const std::vector<Found>& pool, const PiecewiseLinearDensity& base, const Targets& targets);
 
@@ -33,7 +35,7 @@ void judge_baselines(WavelengthDistribution& distribution, const Targets& target
 /// `illuminant` at the most, and that of `visible`, whose density the base tabulates every nm, within 1e-5 of
 /// it.
 /// @throws SearchStopped
-void catch_up(WavelengthDistribution& best, const Targets& targets, const SearchSettings& settings,
+void catch_up(Selected& best, const Targets& targets, const SearchSettings& settings,
               SearchProgress& progress);
 
 }  // namespace photopic

@@ -59,17 +59,19 @@ WavelengthDistribution::Targets describe_targets(const OptimizeOptions& options)
           .measured_digest = all ? reflectances_digest(options.reflectances) : ""};
 }
 
-/// The best on one base density, or its equal strata where nothing is better.
-OptimizeResult search_with(const PiecewiseLinearDensity& base, const Targets& targets,
-                           const SearchSettings& settings, SearchProgress& progress) {
+/// What one base density leads to.
+struct OnBase {
+  Selected best;  ///< or its equal strata where nothing is better
+  WavelengthDistribution initial;
+};
+
+OnBase search_with(const PiecewiseLinearDensity& base, const Targets& targets, const SearchSettings& settings,
+                   SearchProgress& progress) {
   const auto loss = std::make_shared<const EstimateLoss>(targets, base);
-  Selected best = best_of(search(loss, settings, progress), base, targets);
-  OptimizeResult result{
-      .distribution = std::move(best.distribution),
-      .initial = judged(base, equal_strata(settings.wavelengths, settings.plan.back().nodes), targets),
-      .solver_failed = best.failed,
-      .solver_note = std::move(best.note)};
-  if (result.initial.value < result.distribution.value) result.distribution = result.initial;
+  OnBase result{
+      .best = best_of(search(loss, settings, progress), base, targets),
+      .initial = judged(base, equal_strata(settings.wavelengths, settings.plan.back().nodes), targets)};
+  if (result.initial.value < result.best.distribution.value) result.best = {result.initial};
   return result;
 }
 
@@ -85,18 +87,21 @@ OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emission
   const std::vector<double> shares = visible_shares(options);
   SearchProgress progress(report, settings.plan, shares.size());
 
-  std::optional<OptimizeResult> best;
+  std::optional<OnBase> found;
   for (const double share : shares) {
-    OptimizeResult result =
-        search_with(base_density(targets.mixed, 0.02, share), targets, settings, progress);
-    if (!best || result.distribution.value < best->distribution.value) best = std::move(result);
+    OnBase next = search_with(base_density(targets.mixed, 0.02, share), targets, settings, progress);
+    if (!found || next.best.distribution.value < found->best.distribution.value) found = std::move(next);
   }
-  judge_baselines(best->distribution, targets);
-  catch_up(best->distribution, targets, settings, progress);
-  best->distribution.targets = describe_targets(options);
-  best->evaluations = progress.evaluations();
-  best->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return std::move(*best);
+  Selected& best = found->best;
+  judge_baselines(best.distribution, targets);
+  catch_up(best, targets, settings, progress);
+  best.distribution.targets = describe_targets(options);
+  return {.distribution = std::move(best.distribution),
+          .initial = std::move(found->initial),
+          .evaluations = progress.evaluations(),
+          .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+          .solver_failed = best.failed,
+          .solver_note = std::move(best.note)};
 }
 
 OptimizeResult optimize_distribution(const TabulatedSpectrum& emission, const OptimizeOptions& options,

@@ -10,9 +10,6 @@
 namespace photopic {
 namespace {
 
-/// Luminous efficacy at 540 THz, by the SI's definition of the candela [lm/W].
-constexpr double kMaximalEfficacy = 683.0;
-
 constexpr double kReach = 15.0, kWidest = 12.0;  ///< [nm]
 constexpr double kValley = 0.75, kLeastHeight = 0.2, kLeastPower = 0.002;
 
@@ -21,10 +18,6 @@ double power(const TabulatedSpectrum& emission) {
   double sum = 0.0;
   for (std::size_t i = 0; i + 1 < x.size(); ++i) sum += 0.5 * (x[i + 1] - x[i]) * (y[i] + y[i + 1]);
   return sum;
-}
-
-double luminance(const TabulatedSpectrum& emission) {
-  return emission_xyz(emission, Observer::cie1931()).y;
 }
 
 struct Point {

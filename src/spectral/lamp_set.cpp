@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "spectral/content_hash.h"
 #include "spectral/observer.h"
@@ -14,9 +16,8 @@ namespace {
 
 constexpr double kStepsPerDecade = 100.0;
 
-double luminance(const TabulatedSpectrum& emission) {
-  return emission_xyz(emission, Observer::cie1931()).y;
-}
+/// Each lamp is a set of targets of its own, and costs an optimisation as much.
+constexpr std::size_t kMostLamps = 12;
 
 /// How far a power lies below the strongest, in steps.
 std::int64_t steps_below(double power, double strongest) {
@@ -28,6 +29,17 @@ struct Lamp {
   const TabulatedSpectrum* emission;
   double power;
 };
+
+/// The strongest stay, the others become one.
+void merge_weakest(std::vector<TabulatedSpectrum>& lamps) {
+  if (lamps.size() <= kMostLamps) return;
+  std::ranges::stable_sort(lamps, std::ranges::greater{}, luminance);
+  const auto others = std::span(lamps).subspan(kMostLamps - 1);
+  TabulatedSpectrum rest = mix_emissions(others, std::vector<double>(others.size(), 1.0));
+  lamps.erase(lamps.begin() + kMostLamps - 1, lamps.end());
+  lamps.push_back(std::move(rest));
+  std::ranges::sort(lamps, {}, [](const TabulatedSpectrum& lamp) { return digest(lamp); });
+}
 
 }  // namespace
 
@@ -52,6 +64,7 @@ std::vector<TabulatedSpectrum> lamp_set(std::span<const TabulatedSpectrum> emiss
     set.push_back(
         lamp.emission->scaled(std::pow(10.0, -steps / kStepsPerDecade) / luminance(*lamp.emission)));
   }
+  merge_weakest(set);
   return set;
 }
 

@@ -73,4 +73,8 @@ Xyz emission_xyz(const TabulatedSpectrum& emission, const Observer& observer) {
   return sum * (1.0 / observer.y_integral());
 }
 
+double luminance(const TabulatedSpectrum& emission) {
+  return emission_xyz(emission, Observer::cie1931()).y;
+}
+
 }  // namespace photopic

@@ -39,8 +39,14 @@ class Observer {
   double y_integral_;
 };
 
+/// Of light of 555 nm [lm/W]: CIE 018:2019.
+inline constexpr double kMaximalEfficacy = 683.002;
+
 /// XYZ of an emission: ∫ h·I dλ / ∫ȳ dλ, exact for piecewise linear I (every product is quadratic in a cell).
 /// Beyond its knots the emission is taken for zero, whatever its `beyond()`.
 Xyz emission_xyz(const TabulatedSpectrum& emission, const Observer& observer);
+
+/// Y of that by the CIE 1931 observer.
+double luminance(const TabulatedSpectrum& emission);
 
 }  // namespace photopic

@@ -154,6 +154,11 @@ std::vector<double> OptimizedWavelengths::breakpoints(std::span<const double> kn
   return u;
 }
 
+std::array<WavelengthSampler, 3> baseline_samplers(int count, const TabulatedSpectrum& light) {
+  return {UniformWavelengths{count}, VisibleWavelengths{count},
+          IlluminantWavelengths{count, base_density(light)}};
+}
+
 int wavelength_count(const WavelengthSampler& sampler) {
   const auto count = [](const auto& s) {
     if constexpr (requires { s.count(); })

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -52,6 +53,9 @@ class OptimizedWavelengths {
 
 using WavelengthSampler =
     std::variant<UniformWavelengths, VisibleWavelengths, IlluminantWavelengths, OptimizedWavelengths>;
+
+/// Those that need no search: uniform, visible and illuminant, in this order.
+std::array<WavelengthSampler, 3> baseline_samplers(int count, const TabulatedSpectrum& light);
 
 int wavelength_count(const WavelengthSampler& sampler);
 std::string_view sampler_name(const WavelengthSampler& sampler);

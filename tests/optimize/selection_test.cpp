@@ -48,9 +48,10 @@ TEST(CatchUp, EndsNoWorseThanTheBaselinesWhateverTheSearchFound) {
     for (const int wavelengths : {1, 2, 4, 7, 16}) {
       const Targets targets = targets_for(emission);
       const SearchSettings settings = settings_for(wavelengths, give_up);
-      WavelengthDistribution found = poor(emission, wavelengths, targets);
+      Selected best{poor(emission, wavelengths, targets)};
       SearchProgress progress(kUnheard, settings.plan, 1);
-      catch_up(found, targets, settings, progress);
+      catch_up(best, targets, settings, progress);
+      const WavelengthDistribution& found = best.distribution;
       EXPECT_LE(found.value, found.illuminant_value * (1.0 + 1e-9)) << name << ", " << wavelengths;
       EXPECT_LE(found.value, found.visible_value * (1.0 + 1e-5)) << name << ", " << wavelengths;
       const Xyz mean = test::mean_estimate(OptimizedWavelengths(found), emission);
@@ -58,14 +59,30 @@ TEST(CatchUp, EndsNoWorseThanTheBaselinesWhateverTheSearchFound) {
     }
 }
 
+// What takes the place of a found distribution tells of its own descent.
+TEST(CatchUp, TellsThatTheSolverGaveUp) {
+  const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("FL11"));
+  const Targets targets = targets_for(emission);
+  const SearchSettings settings = settings_for(4, give_up);
+  Selected best{poor(emission, 4, targets)};
+  best.distribution.illuminant_value = best.distribution.visible_value = 1e6;  // one descent is enough
+  SearchProgress progress(kUnheard, settings.plan, 1);
+  catch_up(best, targets, settings, progress);
+  EXPECT_TRUE(best.failed);
+  EXPECT_EQ(best.note, "gave up");
+}
+
 TEST(CatchUp, DescendsFromTheBaselinesFirst) {
   const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("FL11"));
   const Targets targets = targets_for(emission);
   const SearchSettings settings = settings_for(4, descend);
-  WavelengthDistribution found = poor(emission, 4, targets);
+  Selected best{poor(emission, 4, targets), true, "a descent that is given up for a better one"};
+  const WavelengthDistribution& found = best.distribution;
   const double visible = found.visible_value;
   SearchProgress progress(kUnheard, settings.plan, 1);
-  catch_up(found, targets, settings, progress);
+  catch_up(best, targets, settings, progress);
+  EXPECT_FALSE(best.failed);
+  EXPECT_NE(best.note, "a descent that is given up for a better one");
   EXPECT_LT(found.value, 0.8 * found.illuminant_value);
   EXPECT_FALSE(found.stepped);
   EXPECT_GT(progress.evaluations(), 10);
@@ -74,12 +91,14 @@ TEST(CatchUp, DescendsFromTheBaselinesFirst) {
 
 TEST(CatchUp, LeavesWhatIsBetterAlone) {
   const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("FL11"));
-  WavelengthDistribution good = test::random_distribution(emission, 4, 12, 3);
+  Selected best{test::random_distribution(emission, 4, 12, 3), true, "its own end"};
+  WavelengthDistribution& good = best.distribution;
   good.value = 1.0, good.illuminant_value = 2.0, good.visible_value = 3.0;
   const SearchSettings settings = settings_for(4, give_up);
   SearchProgress progress(kUnheard, settings.plan, 1);
-  catch_up(good, targets_for(emission), settings, progress);
+  catch_up(best, targets_for(emission), settings, progress);
   EXPECT_EQ(good.value, 1.0);
+  EXPECT_TRUE(best.failed);
   EXPECT_EQ(progress.evaluations(), 0);
 }
 
@@ -120,12 +139,12 @@ TEST(Search, SurvivesNumbersThatBreakDown) {
   };
   const SearchSettings settings = settings_for(4, breaking);
   SearchProgress progress(kUnheard, settings.plan, 1);
-  WavelengthDistribution found =
-      best_of(search(std::make_shared<const EstimateLoss>(targets, base), settings, progress), base, targets)
-          .distribution;
+  Selected best =
+      best_of(search(std::make_shared<const EstimateLoss>(targets, base), settings, progress), base, targets);
+  WavelengthDistribution& found = best.distribution;
   EXPECT_TRUE(std::isfinite(found.value));
   judge_baselines(found, targets);
-  catch_up(found, targets, settings, progress);
+  catch_up(best, targets, settings, progress);
   EXPECT_LE(found.value, found.illuminant_value * (1.0 + 1e-9));
 }
 

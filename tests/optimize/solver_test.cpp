@@ -82,6 +82,22 @@ TEST_P(Lamps, BeatTheBaselinesByObjectiveAndBySimulation) {
 
 INSTANTIATE_TEST_SUITE_P(Cie, Lamps, testing::Values("A", "FL11", "HP1", "LED-B3"));
 
+// A patch that reflects nothing has no error, and no say.
+TEST(Solver, BlackTargetsChangeLittle) {
+  const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("FL11"));
+  const Spectrum grey = ConstantSpectrum{0.3}, black = ConstantSpectrum{0.0};
+  const auto with = [&](const std::vector<Spectrum>& reflectances) {
+    OptimizeOptions options;
+    options.effort = Effort::quick;
+    options.reflectances = reflectances;
+    return optimize_distribution(emission, options);
+  };
+  const OptimizeResult plain = with({grey}), result = with({grey, black});
+  EXPECT_FALSE(result.solver_failed) << result.solver_note;
+  EXPECT_NEAR(result.distribution.value * 50.0, plain.distribution.value * 49.0,
+              plain.distribution.value * 2.5);
+}
+
 TEST(Solver, MeanDeltaEBeatsTheBaselinesToo) {
   const OptimizeResult result = quick(tabulate_emission(*cie_illuminant("FL11")), 4, Objective::mean_delta_e);
   const WavelengthDistribution& found = result.distribution;

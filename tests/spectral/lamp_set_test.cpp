@@ -43,6 +43,26 @@ TEST(LampSet, LampsAndPowersMatter) {
   EXPECT_NE(digest_of({lamp("A"), lamp("FL11"), lamp("E")}, {2.0, 1.0, 1e-6}), own);
 }
 
+TEST(LampSet, TheWeakestOfManyAreOne) {
+  std::vector<TabulatedSpectrum> emissions;
+  std::vector<double> powers;
+  double total = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    emissions.push_back(tabulate_emission(BlackbodySpectrum{2000.0 + 100.0 * i}));
+    powers.push_back(std::pow(10.0, -0.02 * i));
+    total += powers.back();
+  }
+  const std::vector<TabulatedSpectrum> set = lamp_set(emissions, powers);
+  ASSERT_EQ(set.size(), 12u);
+  EXPECT_NEAR(emission_xyz(mixed_light(set), Observer::cie1931()).y, total, 1e-3 * total);
+  int kept = 0;
+  for (const TabulatedSpectrum& one : set)
+    for (int i = 0; i < 11; ++i) kept += digest(one) == digest(emissions[i]);
+  EXPECT_EQ(kept, 11) << "the strongest stay as they are";
+  const std::vector<TabulatedSpectrum> backwards(emissions.rbegin(), emissions.rend());
+  EXPECT_EQ(digest_of(backwards, {powers.rbegin(), powers.rend()}), digest(set));
+}
+
 TEST(LampSet, PowersAreLuminous) {
   const std::vector<TabulatedSpectrum> set =
       lamp_set(std::vector{lamp("A"), lamp("FL11").scaled(1e9)}, std::vector{1.0, 3.0});

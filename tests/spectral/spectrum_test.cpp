@@ -17,10 +17,6 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double luminance(const TabulatedSpectrum& emission) {
-  return emission_xyz(emission, Observer::cie1931()).y;
-}
-
 void expect_full_range(const TabulatedSpectrum& table) {
   ASSERT_GE(table.lambda().size(), 2u);
   EXPECT_EQ(table.lambda().front(), kLambdaMin);

@@ -26,8 +26,8 @@ struct NamedEmission {
 TabulatedSpectrum unit_luminance(const Spectrum& spectrum, const std::string& where) {
   try {
     const TabulatedSpectrum emission = tabulate_emission(spectrum);
-    const double luminance = emission_xyz(emission, Observer::cie1931()).y;
-    if (luminance > 0.0 && std::isfinite(luminance)) return emission.scaled(1.0 / luminance);
+    const double y = luminance(emission);
+    if (y > 0.0 && std::isfinite(y)) return emission.scaled(1.0 / y);
   } catch (const std::invalid_argument& error) {
     throw InputError(where, error.what(), "an emission has no negative values");
   }
