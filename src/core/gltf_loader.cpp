@@ -59,6 +59,7 @@ Scene read_scene(const GltfDocument& document, const GltfOptions& options) {
   if (options.solid_glass) make_closed_glass_solid(document, instances, scene);
   load_gltf_geometry(document, instances, scene);
   load_gltf_textures(document, scene);
+  warn_of_unsound_glass(document, instances, scene);
   GltfEmissions emissions(document, options.emitters, scene);
   load_gltf_emission(document, emissions, scene);
   load_gltf_lights(document, instances, options, emissions, scene);
