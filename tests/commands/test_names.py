@@ -84,6 +84,18 @@ class Cameras(NamesTest):
         self.assert_refused(["info", "odd.gltf", "--camera", "index:4"], "index:4")
         self.assert_refused(["render", "odd.gltf", "-o", "a.exr", "--camera", ""], "--camera", "empty")
 
+    def test_in_other_scenes_are_told(self):
+        scene = json.loads((self.folder / "odd.gltf").read_text())
+        scene["cameras"] += [dict(scene["cameras"][0], name="close"), dict(scene["cameras"][0], name="spare")]
+        scene["nodes"] += [{"camera": 4}, {"children": [len(scene["nodes"])]}]
+        scene["scenes"].append({"name": "Other", "nodes": [len(scene["nodes"]) - 1]})
+        self.write_scene(scene)
+        for camera in ["close", "4", "index:4"]:
+            self.assert_refused(["info", "odd.gltf", "--camera", camera], f"--camera {camera}", 'scene 1 "Other"')
+        self.assert_refused(["info", "odd.gltf", "--camera", "spare"], "in no scene")
+        self.assert_refused(["info", "odd.gltf", "--camera", "6"], "no camera of that name or index")
+        self.assertEqual(self.width("plan"), (13, "warning: further scenes of the file are not rendered: 1\n"))
+
     def test_help_says_how(self):
         for command in ["render", "info", "compare"]:
             self.assertIn("index:N", self.photopic(command, "--help").stdout)
