@@ -128,9 +128,14 @@ class StrayExtras(NamesTest):
 
     def test_in_other_letters(self):
         for key, right in [("Conductor", "conductor"), ("emission_Spectrum", "emission_spectrum"),
-                           ("reflectance spectrum", "reflectance_spectrum")]:  # fmt: skip
+                           ("reflectance spectrum", "reflectance_spectrum"), ("emissionSpectrum", "emission_spectrum"),
+                           ("emission_spectrun", "emission_spectrum"), ("conductors", "conductor"),
+                           ("emision_spectrum", "emission_spectrum"), ("gla-ss", "glass")]:  # fmt: skip
             self.assert_warned(lambda s: s["materials"][0].update(extras={key: "Au"}), f"/materials/0/extras/{key}",
-                               f'write "{right}"')  # fmt: skip
+                               f'did you mean "{right}"?')  # fmt: skip
+        for key, right in [("apertureRadius", "aperture_radius"), ("focus-distance", "focus_distance")]:
+            self.assert_warned(lambda s: s["cameras"][0]["extras"].update({key: 1}), f"/cameras/0/extras/{key}", right)
+        self.assert_warned(lambda s: s["nodes"][1].update(extras={"focusDistance": 2}), "belongs to a camera")
 
     def test_once_for_many(self):
         def change(scene):
@@ -141,7 +146,8 @@ class StrayExtras(NamesTest):
     def test_not_of_what_is_read_or_others(self):
         def change(scene):
             scene["materials"][2]["extras"] = {"emission_spectrum": "cie:A", "note": "bright"}
-            scene["nodes"][0]["extras"] = {"prop": 1, "spectrum": "x"}
+            scene["materials"][0]["extras"] = {"power_spectrum": "another tool's", "class": "floor", "": 1}
+            scene["nodes"][0]["extras"] = {"prop": 1, "spectrum": "x", "glas": 1}
 
         self.assertEqual(self.warnings(change), [])
 

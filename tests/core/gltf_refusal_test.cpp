@@ -85,8 +85,6 @@ const Fault kFaults[] = {
      }},
     {"/materials/0/extras/reflectance_spectrum",
      [](SquareFile& f) { f.materials = R"([{"extras": {"reflectance_spectrum": "no-such-file.csv"}}])"; }},
-    {"/materials/0/extras",
-     [](SquareFile& f) { f.materials = R"([{"extras": {"emision_spectrum": "cie:A"}}])"; }},
     {"/materials/0/extras/reflectance_spectrum",
      [](SquareFile& f) { f.materials = R"([{"extras": {"reflectance_spectrum": 7}}])"; }},
     {"/materials/0/extras/emission_spectrum",  // tinygltf drops these and what follows
@@ -100,10 +98,10 @@ const Fault kFaults[] = {
      [](SquareFile& f) { f.materials = R"([{"extras": {"conductor": "Au", "glass": "BK7"}}])"; }},
     {"/scenes/0/nodes/1", [](SquareFile& f) { f.roots = "[0, 0]"; }},
     {"/nodes/0/children/1", [](SquareFile& f) { f.nodes = R"([{"children": [1, 1]}, {"mesh": 0}])"; }},
-    {"/extensions/KHR_lights_punctual/lights/0/extras",
+    {"/extensions/KHR_lights_punctual/lights/0/extras/emission_spectrum",
      [](SquareFile& f) {
        f.more =
-           R"(, "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "extras": {"reflectance_spectrum": "cie:A"}}]}})";
+           R"(, "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "extras": {"emission_spectrum": 7}}]}})";
      }},
     {"/cameras/0/perspective/yfov",
      [](SquareFile& f) { f.more = R"(, "cameras": [{"type": "perspective", "perspective": {"yfov": 0}}])"; }},
