@@ -96,6 +96,16 @@ const Fault kFaults[] = {
      }},
     {"/materials/0/extras/glass",
      [](SquareFile& f) { f.materials = R"([{"extras": {"conductor": "Au", "glass": "BK7"}}])"; }},
+    {"/materials/0/extras/conductor",
+     [](SquareFile& f) {
+       f.materials =
+           R"([{"extras": {"conductor": "Au"}, "pbrMetallicRoughness": {"metallicFactor": 0},
+           "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.5}}}])";
+     }},
+    {"/materials/0/extras/reflectance_spectrum",
+     [](SquareFile& f) {
+       f.materials = R"([{"extras": {"conductor": "Au", "reflectance_spectrum": "constant"}}])";
+     }},
     {"/scenes/0/nodes/1", [](SquareFile& f) { f.roots = "[0, 0]"; }},
     {"/nodes/0/children/1", [](SquareFile& f) { f.nodes = R"([{"children": [1, 1]}, {"mesh": 0}])"; }},
     {"/extensions/KHR_lights_punctual/lights/0/extras/emission_spectrum",
