@@ -106,6 +106,14 @@ const Fault kFaults[] = {
      [](SquareFile& f) {
        f.materials = R"([{"extras": {"conductor": "Au", "reflectance_spectrum": "constant"}}])";
      }},
+    {"/nodes/0/matrix",
+     [](SquareFile& f) {
+       f.nodes = R"([{"mesh": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1e-4, 0, 0, 0, 1]}])";
+     }},
+    {"/nodes/0/matrix",
+     [](SquareFile& f) {
+       f.nodes = R"([{"mesh": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.999]}])";
+     }},
     {"/scenes/0/nodes/1", [](SquareFile& f) { f.roots = "[0, 0]"; }},
     {"/nodes/0/children/1", [](SquareFile& f) { f.nodes = R"([{"children": [1, 1]}, {"mesh": 0}])"; }},
     {"/extensions/KHR_lights_punctual/lights/0/extras/emission_spectrum",
@@ -165,6 +173,12 @@ TEST_F(GltfTest, OddButValidFilesLoadWithAWarning) {
   flat.nodes = R"([{"mesh": 0, "scale": [1, 1, 0]}])";
   EXPECT_EQ(load(flat.str()).geometry.triangles.size(), 2u);
   EXPECT_EQ(load(flat.str()).warnings.size(), 1u);
+
+  SquareFile rounded;
+  rounded.nodes =
+      R"([{"mesh": 0, "matrix": [1, 0, 0, 1e-9, 0, 1, 0, 0, 0, 0, 1, -1e-9, 0, 0, 0, 1.0000001]}])";
+  EXPECT_EQ(area_vector(load(rounded.str()), 0), (Vec3f{0, 0, 1}));
+  EXPECT_TRUE(load(rounded.str()).warnings.empty());
 
   SquareFile degenerate;
   degenerate.indices = {0, 1, 2, 3, 3, 1};
