@@ -193,8 +193,12 @@ class Contents(NamesTest):
         for name in ["text.glb", "binary.gltf"]:
             self.photopic("info", name, "--json", "info.json")
             self.assertEqual(self.read_json("info.json")["geometry"]["triangles"], 6)
-        (self.folder / "none.glb").write_text("no scene")
-        self.assert_refused(["info", "none.glb"], "none.glb", "glTF")
+        for name, content in [("none.glb", "no scene"), ("x.obj", "# Blender\nv 0 0 0\n"), ("x.usda", "#usda 1.0\n"),
+                              ("x.blend", "BLENDER-v300"), ("x.fbx", "Kaydara FBX Binary"), ("list.gltf", "[]")]:  # fmt: skip
+            (self.folder / name).write_text(content)
+            self.assert_refused(["info", name], f"{name}: this is not a glTF file", "export the scene as .gltf or .glb")
+        (self.folder / "cut.gltf").write_text('{"asset": ')
+        self.assert_refused(["info", "cut.gltf"], "JSON")
 
 
 class Scale(NamesTest):
