@@ -59,6 +59,15 @@ TEST_F(GltfTest, ClosedGlassIsSolidWhereAsked) {
   EXPECT_TRUE(load(turned.str(), asked).materials[0].thin_walled);
 }
 
+TEST_F(GltfTest, ToAskForSolidGlassWhereNoneIsUndecidedHasNoEffect) {
+  const GltfOptions asked{.solid_glass = true};
+  EXPECT_EQ(load(SquareFile().str(), asked).warnings,
+            std::vector<std::string>{"--solid-glass has no effect: no material transmits"});
+  EXPECT_EQ(load(tetrahedron(kSolid).str(), asked).warnings,
+            std::vector<std::string>{
+                "--solid-glass has no effect: all glass of the meshes says itself whether it is solid"});
+}
+
 TEST_F(GltfTest, GlassThatSaysWhichItIsStays) {
   const GltfOptions asked{.solid_glass = true};
   const std::string sheet =

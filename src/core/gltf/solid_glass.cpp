@@ -105,6 +105,13 @@ void make_closed_glass_solid(const GltfDocument& document, const std::vector<Nod
       known = std::max(known, open);
     }
   }
+  if (open_mesh.empty()) {
+    const bool any = std::ranges::any_of(
+        scene.materials, [](float t) { return t > 0.0f; }, &Material::transmission);
+    scene.warnings.push_back(fmt::format(
+        "--solid-glass has no effect: {}",
+        any ? "all glass of the meshes says itself whether it is solid" : "no material transmits"));
+  }
   for (const auto& [material, mesh] : open_mesh) {
     scene.materials[material].thin_walled = mesh >= 0;
     if (mesh >= 0)
