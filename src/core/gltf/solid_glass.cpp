@@ -79,9 +79,8 @@ void find_faults(const GltfDocument& document, std::uint32_t mesh, const std::ve
   }
 }
 
-/// `"name"`, or the other text where there is none.
-std::string quoted(const std::string& name, const std::string& otherwise) {
-  return name.empty() ? otherwise : fmt::format("\"{}\"", name.substr(0, 60));
+std::string quoted(const std::string& name) {
+  return fmt::format("\"{}\"", name.substr(0, 60));
 }
 
 }  // namespace
@@ -133,10 +132,12 @@ void warn_of_unsound_glass(const GltfDocument& document, const std::vector<NodeI
   for (const auto& [glass, meshes] : faults) {
     const auto& [material, closure] = glass;
     const bool open = closure == Closure::open;
+    const std::string &name = scene.materials[material].name,
+                      &mesh = document.model.meshes[meshes.first].name;
     scene.warnings.push_back(fmt::format(
-        "the solid glass {} is {} in /meshes/{} {}{}: {}",
-        quoted(scene.materials[material].name, std::to_string(material)), open ? "not closed" : "inside out",
-        meshes.first, quoted(document.model.meshes[meshes.first].name, "(no name)"),
+        "the solid glass {} is {} in /meshes/{}{}{}: {}",
+        name.empty() ? std::to_string(material) : quoted(name), open ? "not closed" : "inside out",
+        meshes.first, mesh.empty() ? "" : " " + quoted(mesh),
         meshes.count > 1 ? fmt::format(" and {} more", meshes.count - 1) : "",
         open ? "close it, or make it thin-walled (\"solid\": false in the material's extras)"
              : "its faces look inwards; turn them (Blender: Mesh, Normals, Recalculate Outside)"));
