@@ -33,6 +33,9 @@ void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& war
   for (const std::string& name : names) {
     if (!known(name)) warnings.push_back(fmt::format("the extension {} is ignored", name.substr(0, 60)));
   }
+  if (document.model.scenes.size() > 1)
+    warnings.push_back(
+        fmt::format("further scenes of the file are not rendered: {}", document.model.scenes.size() - 1));
   if (document.animation_count > 0)
     warnings.push_back(fmt::format("animations are not played: {}", document.animation_count));
   if (document.double_transforms > 0)
@@ -59,6 +62,7 @@ Scene read_scene(const GltfDocument& document, const GltfOptions& options) {
   if (options.solid_glass) make_closed_glass_solid(document, instances, scene);
   load_gltf_geometry(document, instances, scene);
   load_gltf_textures(document, scene);
+  warn_of_unsound_glass(document, instances, scene);
   GltfEmissions emissions(document, options.emitters, scene);
   load_gltf_emission(document, emissions, scene);
   load_gltf_lights(document, instances, options, emissions, scene);

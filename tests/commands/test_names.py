@@ -84,6 +84,18 @@ class Cameras(NamesTest):
         self.assert_refused(["info", "odd.gltf", "--camera", "index:4"], "index:4")
         self.assert_refused(["render", "odd.gltf", "-o", "a.exr", "--camera", ""], "--camera", "empty")
 
+    def test_in_other_scenes_are_told(self):
+        scene = json.loads((self.folder / "odd.gltf").read_text())
+        scene["cameras"] += [dict(scene["cameras"][0], name="close"), dict(scene["cameras"][0], name="spare")]
+        scene["nodes"] += [{"camera": 4}, {"children": [len(scene["nodes"])]}]
+        scene["scenes"].append({"name": "Other", "nodes": [len(scene["nodes"]) - 1]})
+        self.write_scene(scene)
+        for camera in ["close", "4", "index:4"]:
+            self.assert_refused(["info", "odd.gltf", "--camera", camera], f"--camera {camera}", 'scene 1 "Other"')
+        self.assert_refused(["info", "odd.gltf", "--camera", "spare"], "in no scene")
+        self.assert_refused(["info", "odd.gltf", "--camera", "6"], "no camera of that name or index")
+        self.assertEqual(self.width("plan"), (13, "warning: further scenes of the file are not rendered: 1\n"))
+
     def test_help_says_how(self):
         for command in ["render", "info", "compare"]:
             self.assertIn("index:N", self.photopic(command, "--help").stdout)
@@ -116,9 +128,14 @@ class StrayExtras(NamesTest):
 
     def test_in_other_letters(self):
         for key, right in [("Conductor", "conductor"), ("emission_Spectrum", "emission_spectrum"),
-                           ("reflectance spectrum", "reflectance_spectrum")]:  # fmt: skip
+                           ("reflectance spectrum", "reflectance_spectrum"), ("emissionSpectrum", "emission_spectrum"),
+                           ("emission_spectrun", "emission_spectrum"), ("conductors", "conductor"),
+                           ("emision_spectrum", "emission_spectrum"), ("gla-ss", "glass")]:  # fmt: skip
             self.assert_warned(lambda s: s["materials"][0].update(extras={key: "Au"}), f"/materials/0/extras/{key}",
-                               f'write "{right}"')  # fmt: skip
+                               f'did you mean "{right}"?')  # fmt: skip
+        for key, right in [("apertureRadius", "aperture_radius"), ("focus-distance", "focus_distance")]:
+            self.assert_warned(lambda s: s["cameras"][0]["extras"].update({key: 1}), f"/cameras/0/extras/{key}", right)
+        self.assert_warned(lambda s: s["nodes"][1].update(extras={"focusDistance": 2}), "belongs to a camera")
 
     def test_once_for_many(self):
         def change(scene):
@@ -129,7 +146,8 @@ class StrayExtras(NamesTest):
     def test_not_of_what_is_read_or_others(self):
         def change(scene):
             scene["materials"][2]["extras"] = {"emission_spectrum": "cie:A", "note": "bright"}
-            scene["nodes"][0]["extras"] = {"prop": 1, "spectrum": "x"}
+            scene["materials"][0]["extras"] = {"power_spectrum": "another tool's", "class": "floor", "": 1}
+            scene["nodes"][0]["extras"] = {"prop": 1, "spectrum": "x", "glas": 1}
 
         self.assertEqual(self.warnings(change), [])
 
@@ -175,8 +193,12 @@ class Contents(NamesTest):
         for name in ["text.glb", "binary.gltf"]:
             self.photopic("info", name, "--json", "info.json")
             self.assertEqual(self.read_json("info.json")["geometry"]["triangles"], 6)
-        (self.folder / "none.glb").write_text("no scene")
-        self.assert_refused(["info", "none.glb"], "none.glb", "glTF")
+        for name, content in [("none.glb", "no scene"), ("x.obj", "# Blender\nv 0 0 0\n"), ("x.usda", "#usda 1.0\n"),
+                              ("x.blend", "BLENDER-v300"), ("x.fbx", "Kaydara FBX Binary"), ("list.gltf", "[]")]:  # fmt: skip
+            (self.folder / name).write_text(content)
+            self.assert_refused(["info", name], f"{name}: this is not a glTF file", "export the scene as .gltf or .glb")
+        (self.folder / "cut.gltf").write_text('{"asset": ')
+        self.assert_refused(["info", "cut.gltf"], "JSON")
 
 
 class Scale(NamesTest):

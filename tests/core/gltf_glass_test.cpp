@@ -6,17 +6,35 @@ namespace {
 constexpr const char* kPane =
     R"({"name": "pane", "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}})";
 
-/// A tetrahedron whose corners are split between its faces, as exporters of flat shading write them.
-/// @param faces of its four
-SquareFile tetrahedron(const std::string& material, std::size_t faces = 4) {
+constexpr const char* kSolid =
+    R"({"name": "lens", "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1},
+    "KHR_materials_volume": {"thicknessFactor": 1}}, "pbrMetallicRoughness": {"metallicFactor": 0}})";
+
+/// Faces of a tetrahedron whose corners are split between them, as exporters of flat shading write them.
+/// @param first, last of its four faces @param size negative: they look inwards
+std::vector<float> tetrahedron_faces(std::size_t first, std::size_t last, float size = 1) {
   const float corners[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const int turns[4][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   std::vector<float> positions;
-  for (std::size_t f = 0; f < faces; ++f)
-    for (int corner : turns[f]) positions.insert(positions.end(), corners[corner], corners[corner] + 3);
+  for (std::size_t f = first; f < last; ++f)
+    for (int corner : turns[f])
+      for (float x : corners[corner]) positions.push_back(size * x);
+  return positions;
+}
+
+/// Makes these triangles the mesh, or its next primitive.
+void add_part(SquareFile& file, const std::vector<float>& positions, int material = 0) {
+  const int accessor = file.add(positions, 5126, "VEC3", positions.size() / 3);
+  const bool is_first = file.primitive.find("indices") != std::string::npos;
+  file.primitive = (is_first ? "" : file.primitive + "}, {") +
+                   fmt::format(R"("attributes": {{"POSITION": {}}}, "material": {})", accessor, material);
+}
+
+/// @param faces of its four
+SquareFile tetrahedron(const std::string& material, std::size_t faces = 4) {
+  const std::vector<float> positions = tetrahedron_faces(0, faces);
   SquareFile file;
-  const int accessor = file.add(positions, 5126, "VEC3", 3 * faces);
-  file.primitive = fmt::format(R"("attributes": {{"POSITION": {}}}, "material": 0)", accessor);
+  add_part(file, positions);
   file.materials = "[" + material + "]";
   return file;
 }
@@ -41,6 +59,15 @@ TEST_F(GltfTest, ClosedGlassIsSolidWhereAsked) {
   EXPECT_TRUE(load(turned.str(), asked).materials[0].thin_walled);
 }
 
+TEST_F(GltfTest, ToAskForSolidGlassWhereNoneIsUndecidedHasNoEffect) {
+  const GltfOptions asked{.solid_glass = true};
+  EXPECT_EQ(load(SquareFile().str(), asked).warnings,
+            std::vector<std::string>{"--solid-glass has no effect: no material transmits"});
+  EXPECT_EQ(load(tetrahedron(kSolid).str(), asked).warnings,
+            std::vector<std::string>{
+                "--solid-glass has no effect: all glass of the meshes says itself whether it is solid"});
+}
+
 TEST_F(GltfTest, GlassThatSaysWhichItIsStays) {
   const GltfOptions asked{.solid_glass = true};
   const std::string sheet =
@@ -55,7 +82,63 @@ TEST_F(GltfTest, GlassThatSaysWhichItIsStays) {
   const Scene open = with_extras(R"({"solid": true, "priority": -3})", 3);
   EXPECT_FALSE(open.materials[0].thin_walled);
   EXPECT_EQ(open.materials[0].priority, -3);
-  EXPECT_TRUE(open.warnings.empty());
+}
+
+TEST_F(GltfTest, SolidGlassThatEnclosesNothingIsWarnedOf) {
+  const auto only_warning = [&](const SquareFile& file) {
+    const Scene scene = load(file.str());
+    EXPECT_EQ(scene.warnings.size(), 1u);
+    return scene.warnings.empty() ? std::string() : scene.warnings.front();
+  };
+  const std::string open = only_warning(tetrahedron(kSolid, 3));
+  EXPECT_NE(open.find("\"lens\" is not closed in /meshes/0"), std::string::npos) << open;
+
+  SquareFile turned = tetrahedron(kSolid, 3);
+  std::vector<float> last = tetrahedron_faces(3, 4);
+  for (std::size_t i = 0; i < 3; ++i) std::swap(last[i], last[3 + i]);
+  add_part(turned, last);
+  EXPECT_NE(only_warning(turned).find("not closed"), std::string::npos);
+
+  SquareFile inside_out;
+  inside_out.materials = fmt::format("[{}]", kSolid);
+  add_part(inside_out, tetrahedron_faces(0, 4, -1));
+  const std::string inwards = only_warning(inside_out);
+  EXPECT_NE(inwards.find("\"lens\" is inside out in /meshes/0"), std::string::npos) << inwards;
+  // A mirror turns the faces with the mesh.
+  inside_out.nodes = R"([{"mesh": 0, "scale": [1, 1, -1]}])";
+  EXPECT_NE(only_warning(inside_out).find("inside out"), std::string::npos);
+
+  // Water that leans on a glass without walls of its own.
+  SquareFile water = tetrahedron(std::string(kSolid) + ", " + kSolid);
+  add_part(water, {0, 0, 0.5f, 0.5f, 0, 0.5f, 0, 0.5f, 0.5f}, 1);
+  EXPECT_NE(only_warning(water).find("not closed"), std::string::npos);
+}
+
+TEST_F(GltfTest, SoundSolidGlassIsNotWarnedOf) {
+  const auto expect_quiet = [&](const SquareFile& file) {
+    EXPECT_EQ(load(file.str()).warnings, std::vector<std::string>());
+  };
+  SquareFile file = tetrahedron(kSolid);
+  expect_quiet(file);
+  file.nodes = R"([{"mesh": 0, "scale": [-1, 2, 0.5]}])";
+  expect_quiet(file);
+  file.nodes = R"([{"mesh": 0}, {"mesh": 0, "translation": [1, 0, 0]}])", file.roots = "[0, 1]";
+  expect_quiet(file);
+  add_part(file, tetrahedron_faces(0, 4, -0.5f));  // its hollow, as it were
+  expect_quiet(file);
+  expect_quiet(tetrahedron(kPane, 3));
+
+  // A pane's label, of another material, closes it.
+  SquareFile label = tetrahedron(std::string(kSolid) + R"(, {"name": "label"})", 3);
+  add_part(label, tetrahedron_faces(3, 4), 1);
+  expect_quiet(label);
+
+  // Seams are where a sine of 2π is not 0, or rounding tells two places apart.
+  SquareFile seam = tetrahedron(kSolid, 3);
+  std::vector<float> last = tetrahedron_faces(3, 4);
+  for (float& x : last) x = x == 0 ? -2.4e-16f : std::nextafter(x, 0.0f);
+  add_part(seam, last);
+  expect_quiet(seam);
 }
 
 TEST_F(GltfTest, WhatGlassDoesNotWearIsWarnedOf) {

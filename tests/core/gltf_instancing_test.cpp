@@ -129,6 +129,17 @@ TEST_F(GltfInstancing, GpuInstances) {
   check(std::int16_t{32767}, std::int16_t{23170}, kShort, true);
 }
 
+/// What is not given has its default, whatever gives the number.
+TEST_F(GltfInstancing, GpuInstancesByAnAttributeOfTheFilesOwn) {
+  SquareFile file;
+  const int id = file.add(std::vector<float>{7, 8, 9}, kFloat, "SCALAR", 3);
+  const SquareFile node = gpu_instances(attribute("_ID", id));
+  file.nodes = node.nodes, file.more = node.more;
+  const Scene scene = load(file.str());
+  ASSERT_EQ(scene.geometry.triangles.size(), 6u);
+  for (std::size_t i = 0; i < 3; ++i) expect_near(world_position(scene, 4 * i + 2), {11, 1, 0});
+}
+
 TEST_F(GltfInstancing, GpuInstancesAreShared) {
   SquareFile file = dense_square(1000);
   const int t = file.add(std::vector<float>(300, 1.0f), kFloat, "VEC3", 100);
@@ -148,6 +159,7 @@ TEST_F(GltfInstancing, WrongGpuInstancesAreRefused) {
                 text.find("#/accessors/2") != std::string::npos)
         << text;
   };
+  refused([](SquareFile&) { return std::string(); });
   refused([](SquareFile&) { return attribute("TRANSLATION", 7); });
   refused([](SquareFile& file) {
     return attribute("TRANSLATION", 0) + "," +

@@ -240,6 +240,9 @@ TEST_F(GltfTest, MetalsAndGlassesByExtras) {
       R"([{"extras": {"conductor": "Au"}}, {"extras": {"glass": "SF10"}}, {"extras": {"glass": {"cauchy": [1.5, 0.004]}}}])";
   const Scene scene = load(file.str());
   EXPECT_TRUE(scene.materials.at(0).extensions.conductor);
+  file.materials =  // all metal: nothing transmits
+      R"([{"extras": {"conductor": "Au"}, "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}}])";
+  EXPECT_TRUE(load(file.str()).materials.at(0).extensions.conductor);
   const Material& glass = scene.materials.at(1);
   EXPECT_NEAR(glass.ior, 1.72825, 1e-5);
   EXPECT_EQ(glass.transmission, 1.0f);

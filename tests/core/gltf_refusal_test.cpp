@@ -85,8 +85,6 @@ const Fault kFaults[] = {
      }},
     {"/materials/0/extras/reflectance_spectrum",
      [](SquareFile& f) { f.materials = R"([{"extras": {"reflectance_spectrum": "no-such-file.csv"}}])"; }},
-    {"/materials/0/extras",
-     [](SquareFile& f) { f.materials = R"([{"extras": {"emision_spectrum": "cie:A"}}])"; }},
     {"/materials/0/extras/reflectance_spectrum",
      [](SquareFile& f) { f.materials = R"([{"extras": {"reflectance_spectrum": 7}}])"; }},
     {"/materials/0/extras/emission_spectrum",  // tinygltf drops these and what follows
@@ -98,12 +96,30 @@ const Fault kFaults[] = {
      }},
     {"/materials/0/extras/glass",
      [](SquareFile& f) { f.materials = R"([{"extras": {"conductor": "Au", "glass": "BK7"}}])"; }},
+    {"/materials/0/extras/conductor",
+     [](SquareFile& f) {
+       f.materials =
+           R"([{"extras": {"conductor": "Au"}, "pbrMetallicRoughness": {"metallicFactor": 0},
+           "extensions": {"KHR_materials_transmission": {"transmissionFactor": 0.5}}}])";
+     }},
+    {"/materials/0/extras/reflectance_spectrum",
+     [](SquareFile& f) {
+       f.materials = R"([{"extras": {"conductor": "Au", "reflectance_spectrum": "constant"}}])";
+     }},
+    {"/nodes/0/matrix",
+     [](SquareFile& f) {
+       f.nodes = R"([{"mesh": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1e-4, 0, 0, 0, 1]}])";
+     }},
+    {"/nodes/0/matrix",
+     [](SquareFile& f) {
+       f.nodes = R"([{"mesh": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.999]}])";
+     }},
     {"/scenes/0/nodes/1", [](SquareFile& f) { f.roots = "[0, 0]"; }},
     {"/nodes/0/children/1", [](SquareFile& f) { f.nodes = R"([{"children": [1, 1]}, {"mesh": 0}])"; }},
-    {"/extensions/KHR_lights_punctual/lights/0/extras",
+    {"/extensions/KHR_lights_punctual/lights/0/extras/emission_spectrum",
      [](SquareFile& f) {
        f.more =
-           R"(, "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "extras": {"reflectance_spectrum": "cie:A"}}]}})";
+           R"(, "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point", "extras": {"emission_spectrum": 7}}]}})";
      }},
     {"/cameras/0/perspective/yfov",
      [](SquareFile& f) { f.more = R"(, "cameras": [{"type": "perspective", "perspective": {"yfov": 0}}])"; }},
@@ -157,6 +173,12 @@ TEST_F(GltfTest, OddButValidFilesLoadWithAWarning) {
   flat.nodes = R"([{"mesh": 0, "scale": [1, 1, 0]}])";
   EXPECT_EQ(load(flat.str()).geometry.triangles.size(), 2u);
   EXPECT_EQ(load(flat.str()).warnings.size(), 1u);
+
+  SquareFile rounded;
+  rounded.nodes =
+      R"([{"mesh": 0, "matrix": [1, 0, 0, 1e-9, 0, 1, 0, 0, 0, 0, 1, -1e-9, 0, 0, 0, 1.0000001]}])";
+  EXPECT_EQ(area_vector(load(rounded.str()), 0), (Vec3f{0, 0, 1}));
+  EXPECT_TRUE(load(rounded.str()).warnings.empty());
 
   SquareFile degenerate;
   degenerate.indices = {0, 1, 2, 3, 3, 1};

@@ -39,6 +39,55 @@ void warn_of_namesakes(const std::string& name, const std::vector<int>& indices,
       name, *other));
 }
 
+bool is_called(const tinygltf::Model& model, const tinygltf::Node& node, const std::string& name) {
+  return node.camera >= 0 && (model.cameras[node.camera].name == name || node.name == name);
+}
+
+/// The first scene that holds the camera of that name, or of that index in the file's list; −1: none.
+int find_scene(const tinygltf::Model& model, const std::string& name) {
+  const int index = parse_index(name);
+  std::vector<bool> seen(model.nodes.size());
+  for (std::size_t scene = 0; scene < model.scenes.size(); ++scene) {
+    std::vector<int> pending = model.scenes[scene].nodes;
+    while (!pending.empty()) {
+      const int i = pending.back();
+      const tinygltf::Node& node = model.nodes[i];
+      pending.pop_back();
+      if (seen[i]) continue;
+      seen[i] = true;
+      if (is_called(model, node, name) || (index >= 0 && node.camera == index))
+        return static_cast<int>(scene);
+      pending.insert(pending.end(), node.children.begin(), node.children.end());
+    }
+  }
+  return -1;
+}
+
+/// Whether the file has the camera, with a node or without.
+bool is_listed(const tinygltf::Model& model, const std::string& name) {
+  const int index = parse_index(name);
+  return (index >= 0 && index < static_cast<int>(model.cameras.size())) ||
+         std::ranges::count(model.cameras, name, &tinygltf::Camera::name) > 0 ||
+         std::ranges::any_of(model.nodes, [&](const auto& node) { return is_called(model, node, name); });
+}
+
+/// @param names of the scene's cameras
+[[noreturn]] void refuse_camera(const GltfDocument& document, const std::string& name,
+                                const std::vector<std::string>& names) {
+  std::string problem = "has no camera of that name or index";
+  std::string remedy = names.empty() ? "add one, or leave the option out" : choose_one_of(names, name);
+  if (const int scene = find_scene(document.model, name); scene >= 0) {
+    const std::string& title = document.model.scenes[scene].name;
+    problem = fmt::format("has that camera in scene {}{}, not in the one that is rendered", scene,
+                          title.empty() ? "" : fmt::format(" \"{}\"", title.substr(0, 60)));
+    remedy = fmt::format("make that scene the file's default, \"scene\": {}", scene);
+  } else if (is_listed(document.model, name)) {
+    problem = "has that camera in no scene";
+    remedy = "give it a node there";
+  }
+  throw InputError("--camera " + name, document.file.path.string() + " " + problem, remedy);
+}
+
 /// The scene's camera of that name (its own or its node's), else of that index in the file's list; the first
 /// of all for an empty name.
 const NodeInstance* choose_camera(const GltfDocument& document, const std::vector<NodeInstance>& instances,
@@ -53,7 +102,7 @@ const NodeInstance* choose_camera(const GltfDocument& document, const std::vecto
     if (node.camera < 0) continue;
     if (name.empty()) return &instance;
     const std::string& own = model.cameras[node.camera].name;
-    if (own == name || node.name == name) {
+    if (is_called(model, node, name)) {
       if (!by_name) by_name = &instance;
       namesakes.push_back(node.camera);
     }
@@ -64,9 +113,7 @@ const NodeInstance* choose_camera(const GltfDocument& document, const std::vecto
   warn_of_namesakes(name, namesakes, warnings);
   if (by_name) return by_name;
   if (name.empty() || by_index) return by_index;
-  throw InputError("--camera " + name,
-                   fmt::format("{} has no camera of that name or index", document.file.path.string()),
-                   names.empty() ? "add one, or leave the option out" : choose_one_of(names, name));
+  refuse_camera(document, name, names);
 }
 
 /// A camera's `extras`, which glTF leaves to its users.

@@ -145,9 +145,8 @@ std::vector<char> read_gltf_bytes(const std::filesystem::path& path) {
 GltfFile split_gltf(std::vector<char> bytes, const std::filesystem::path& path) {
   GltfFile file{.path = path, .bytes = std::move(bytes), .json = {}, .bin = {}};
   const bool glb = file.bytes.size() >= 4 && word_at(file, 0) == kMagic;
-  if (!glb && path.extension() == ".glb" && !looks_like_json(file.bytes)) {
-    throw InputError(path.string(), "the file does not begin with \"glTF\" as a .glb does", kReexport);
-  }
+  if (!glb && !looks_like_json(file.bytes))
+    throw InputError(path.string(), "this is not a glTF file", "export the scene as .gltf or .glb");
   file.json = {file.bytes.data(), file.bytes.size()};
   if (glb) split_glb(file);
   return file;

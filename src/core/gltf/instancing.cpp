@@ -17,12 +17,15 @@ class InstanceAttributes {
       : document_(document), node_(place.node) {
     const tinygltf::Value& attributes =
         document.model.nodes[place.node].extensions.at(kExtension).Get("attributes");
-    const auto read = [&]<typename T>(const char* name, std::vector<T>& values) {
-      if (!attributes.Has(name)) return;
+    const auto find = [&](const std::string& name) {
       const int accessor = attributes.Get(name).GetNumberAsInt();
       count_ = document.model.accessors[accessor].count;
       if (count_ > kMaxPlaces) fail("", fmt::format("more than {} instances are too many", kMaxPlaces));
-      values = read_elements<T>(document, accessor);
+      return accessor;
+    };
+    find(attributes.Keys().front());  // one of the file's own, as _ID, may be all there is
+    const auto read = [&]<typename T>(const char* name, std::vector<T>& values) {
+      if (attributes.Has(name)) values = read_elements<T>(document, find(name));
     };
     read("TRANSLATION", translations_);
     read("ROTATION", rotations_);

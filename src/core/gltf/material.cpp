@@ -116,12 +116,6 @@ Material load_material(const GltfDocument& document, std::size_t index) {
   return material;
 }
 
-bool has_glass(const tinygltf::Material& source, const Material& material) {
-  const bool all_metal =
-      material.metallic == 1.0f && source.pbrMetallicRoughness.metallicRoughnessTexture.index < 0;
-  return material.transmission > 0.0f && !all_metal;
-}
-
 /// "clearcoat and sheen", or nothing: what the opaque share of a material has and its glass has not.
 std::string missing_on_glass(const MaterialExtensions& x) {
   std::vector<std::string> names;

@@ -31,6 +31,12 @@ std::string name_in(const tinygltf::Value& value) {
 void load_conductor(const GltfDocument& document, std::size_t index, Material& material) {
   const tinygltf::Value* value = extra(document, index, "conductor");
   if (value == nullptr) return;
+  if (has_glass(document.model.materials[index], material))
+    document.fail(extras_pointer(index, "conductor"), "the material has KHR_materials_transmission, too",
+                  "take one of them out");
+  if (extra(document, index, "reflectance_spectrum") != nullptr)
+    document.fail(extras_pointer(index, "reflectance_spectrum"), "the material has a \"conductor\", too",
+                  "take one of them out");
   const std::string name = name_in(*value);
   material.extensions.conductor = conductor_index(name);
   if (!material.extensions.conductor)
@@ -121,6 +127,12 @@ void load_surface(const tinygltf::Material& source, MaterialExtensions& x) {
 }
 
 }  // namespace
+
+bool has_glass(const tinygltf::Material& source, const Material& material) {
+  const bool all_metal =
+      material.metallic == 1.0f && source.pbrMetallicRoughness.metallicRoughnessTexture.index < 0;
+  return material.transmission > 0.0f && !all_metal;
+}
 
 void load_material_extensions(const GltfDocument& document, std::size_t index, Material& material) {
   const tinygltf::Material& source = document.model.materials[index];

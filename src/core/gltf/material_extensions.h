@@ -28,10 +28,13 @@ class Extension {
   const tinygltf::Value* value_ = nullptr;
 };
 
+/// Whether some of the material transmits; metals do not.
+bool has_glass(const tinygltf::Material& source, const Material& material);
+
 /// Fills material.extensions from glTF's extensions and from `extras`: "conductor", a metal's name; "glass",
 /// a glass's name or {"cauchy": [A, B in µm²]}. Glass by extras transmits and, unless KHR_materials_volume
 /// says otherwise, is solid. "solid", true or false, overrules that; "priority" is a whole number. The rest
-/// of the material must have been loaded.
+/// of the material must have been loaded. A "conductor" beside glass or a measured reflectance is refused.
 /// @throws InputError
 void load_material_extensions(const GltfDocument& document, std::size_t index, Material& material);
 

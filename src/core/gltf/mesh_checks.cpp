@@ -116,8 +116,12 @@ void check_meshes(const Place& root) {
   for_each_in(root, "nodes", [&](const Place& node) {
     if (node.has("mesh"))
       check_weights(node, target_count(root.value.at("meshes").at(node.value.at("mesh").get<std::size_t>())));
-    for_extension(node, "EXT_mesh_gpu_instancing",
-                  [&](const Place& at) { check(at.member("attributes"), kInstances, {}); });
+    for_extension(node, "EXT_mesh_gpu_instancing", [&](const Place& at) {
+      const Place attributes = at.member("attributes");
+      if (attributes.value.empty())
+        attributes.fail("it is empty, so that there is no number of instances", "take the extension out");
+      check(attributes, kInstances, {});
+    });
   });
   for_each_in(root, "skins", [&](const Place& skin) { check_skin(skin, check); });
 }

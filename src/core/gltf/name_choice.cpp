@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t kShown = 5, kFew = 12, kLongest = 60;
 
-/// Levenshtein's: insertions, deletions and replacements of bytes. Of long names the beginnings count.
+}  // namespace
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   a = a.substr(0, kLongest), b = b.substr(0, kLongest);
   std::vector<std::size_t> row(b.size() + 1);
@@ -25,8 +26,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   }
   return row.back();
 }
-
-}  // namespace
 
 std::string choose_one_of(std::span<const std::string> names, const std::string& wanted) {
   if (names.size() <= kFew) return fmt::format("choose one of \"{}\"", fmt::join(names, "\", \""));

@@ -10,13 +10,15 @@ namespace {
 
 constexpr std::size_t kMaxShared = 1'000'000;  // visits beyond one a node, of nodes with several parents
 constexpr int kOddDepth = 1000;
+constexpr double kMatrixRounding = 1e-5;  // of exporters that multiply and invert in single precision
 
 std::string node_pointer(int node) {
   return fmt::format("/nodes/{}", node);
 }
 
 Affine matrix_of(const GltfDocument& document, int index, const std::vector<double>& m) {
-  if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
+  const double off = std::max({std::abs(m[3]), std::abs(m[7]), std::abs(m[11]), std::abs(m[15] - 1)});
+  if (!(off <= kMatrixRounding)) {
     document.fail(node_pointer(index) + "/matrix", "the last row is not 0 0 0 1",
                   "apply the transformation before exporting");
   }

@@ -20,7 +20,7 @@ struct NodeInstance {
 };
 
 /// The node's own matrix, or its translation × rotation × scale.
-/// @throws InputError for a quaternion of zero, for a matrix whose last row is not 0 0 0 1
+/// @throws InputError for a quaternion of zero, for a matrix whose last row is not 0 0 0 1 but for rounding
 Affine local_transform(const GltfDocument& document, int node);
 
 /// The default scene's nodes (else the first scene's, else every root), parents first, in the file's order.

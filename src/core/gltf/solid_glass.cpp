@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
-#include <tuple>
 #include <utility>
 
-#include "core/gltf/primitive.h"
+#include "core/gltf/closure.h"
+#include "core/surface.h"
 
 namespace photopic {
 namespace {
@@ -24,35 +25,62 @@ bool is_undecided(const tinygltf::Material& source, const Material& material) {
   return material.transmission > 0.0f && material.thin_walled && !said;
 }
 
-/// Vertices at one place count as one: exporters split them where normals or coordinates differ.
-class Welder {
- public:
-  std::uint32_t operator()(Vec3f p) {
-    const auto next = static_cast<std::uint32_t>(places_.size());
-    return places_.try_emplace({p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}, next).first->second;  // −0 is 0
-  }
+/// The meshes of nodes, each once. @param hidden nodes that are not shown, too
+std::set<std::uint32_t> meshes_of(const GltfDocument& document, const std::vector<NodeInstance>& nodes,
+                                  bool hidden) {
+  std::set<std::uint32_t> meshes;
+  for (const NodeInstance& node : nodes)
+    if (const int mesh = document.model.nodes[node.node].mesh; mesh >= 0 && (hidden || node.visible))
+      meshes.insert(static_cast<std::uint32_t>(mesh));
+  return meshes;
+}
 
- private:
-  std::map<std::tuple<float, float, float>, std::uint32_t> places_;
+Closure closure_of(const GltfDocument& document, const std::vector<PrimitiveRef>& primitives) {
+  MeshSurface surface;
+  for (const PrimitiveRef& ref : primitives) surface.add(document, ref);
+  return surface.closure();
+}
+
+/// Of all that is drawn of a mesh.
+Closure closure_of(const GltfDocument& document, std::uint32_t mesh) {
+  std::vector<PrimitiveRef> drawn;
+  const auto& primitives = document.model.meshes[mesh].primitives;
+  for (std::uint32_t i = 0; i < primitives.size(); ++i)
+    if (is_drawn(primitives[i])) drawn.push_back({mesh, i});
+  return closure_of(document, drawn);
+}
+
+struct FaultyMeshes {
+  std::uint32_t first;
+  std::size_t count = 0;
 };
+/// By glass and by what is wrong with it.
+using GlassFaults = std::map<std::pair<std::size_t, Closure>, FaultyMeshes>;
 
-/// Each edge is run through as often one way as the other.
-bool is_closed(const GltfDocument& document, std::uint32_t mesh) {
-  Welder weld;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
+/// What a glass leaves open another material of its mesh may close: a label, say.
+void find_faults(const GltfDocument& document, std::uint32_t mesh, const std::vector<bool>& encloses,
+                 GlassFaults& faults) {
+  std::map<std::size_t, std::vector<PrimitiveRef>> glasses;
   const auto& primitives = document.model.meshes[mesh].primitives;
   for (std::uint32_t i = 0; i < primitives.size(); ++i) {
-    if (!is_drawn(primitives[i])) continue;
-    const PrimitiveRef ref{mesh, i};
-    const auto positions = read_morphed<Vec3f>(document, ref, -1, "POSITION");
-    for_each_triangle(document, ref, [&](const Triangle& t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t a = weld(positions[t[k]]), b = weld(positions[t[(k + 1) % 3]]);
-        if (a != b) balance[std::minmax(a, b)] += a < b ? 1 : -1;
-      }
-    });
+    const auto material = static_cast<std::size_t>(primitives[i].material);
+    if (primitives[i].material >= 0 && encloses[material] && is_drawn(primitives[i]))
+      glasses[material].push_back({mesh, i});
   }
-  return std::ranges::all_of(balance, [](const auto& edge) { return edge.second == 0; });
+  std::optional<Closure> whole;
+  for (const auto& [material, own] : glasses) {
+    Closure closure = closure_of(document, own);
+    if (closure == Closure::open && own.size() < primitives.size()) {
+      if (!whole) whole = closure_of(document, mesh);
+      closure = *whole;
+    }
+    if (closure != Closure::closed)
+      ++faults.try_emplace({material, closure}, FaultyMeshes{mesh}).first->second.count;
+  }
+}
+
+std::string quoted(const std::string& name) {
+  return fmt::format("\"{}\"", name.substr(0, 60));
 }
 
 }  // namespace
@@ -60,13 +88,8 @@ bool is_closed(const GltfDocument& document, std::uint32_t mesh) {
 void make_closed_glass_solid(const GltfDocument& document, const std::vector<NodeInstance>& nodes,
                              Scene& scene) {
   const auto& model = document.model;
-  std::set<std::uint32_t> meshes;
-  for (const NodeInstance& node : nodes)
-    if (const int mesh = model.nodes[node.node].mesh; mesh >= 0)
-      meshes.insert(static_cast<std::uint32_t>(mesh));
-
   std::map<std::size_t, int> open_mesh;  // of each undecided material that is used; −1: none
-  for (const std::uint32_t mesh : meshes) {
+  for (const std::uint32_t mesh : meshes_of(document, nodes, true)) {
     std::set<std::size_t> glasses;
     for (const tinygltf::Primitive& primitive : model.meshes[mesh].primitives) {
       const auto material = static_cast<std::size_t>(primitive.material);
@@ -74,17 +97,50 @@ void make_closed_glass_solid(const GltfDocument& document, const std::vector<Nod
           is_undecided(model.materials[material], scene.materials[material]))
         glasses.insert(material);
     }
-    const int open = glasses.empty() || is_closed(document, mesh) ? -1 : static_cast<int>(mesh);
+    const bool is_open = !glasses.empty() && closure_of(document, mesh) == Closure::open;
+    const int open = is_open ? static_cast<int>(mesh) : -1;
     for (const std::size_t material : glasses) {
       int& known = open_mesh.try_emplace(material, -1).first->second;
       known = std::max(known, open);
     }
+  }
+  if (open_mesh.empty()) {
+    const bool any = std::ranges::any_of(
+        scene.materials, [](float t) { return t > 0.0f; }, &Material::transmission);
+    scene.warnings.push_back(fmt::format(
+        "--solid-glass has no effect: {}",
+        any ? "all glass of the meshes says itself whether it is solid" : "no material transmits"));
   }
   for (const auto& [material, mesh] : open_mesh) {
     scene.materials[material].thin_walled = mesh >= 0;
     if (mesh >= 0)
       scene.warnings.push_back(fmt::format("the glass \"{}\" stays thin-walled: /meshes/{} is not closed",
                                            scene.materials[material].name, mesh));
+  }
+}
+
+void warn_of_unsound_glass(const GltfDocument& document, const std::vector<NodeInstance>& nodes,
+                           Scene& scene) {
+  std::vector<bool> encloses;
+  for (const Material& m : scene.materials)
+    encloses.push_back(m.transmission > 0.0f && !m.thin_walled && Surface(m).encloses);
+  if (std::ranges::count(encloses, true) == 0) return;
+
+  GlassFaults faults;
+  for (const std::uint32_t mesh : meshes_of(document, nodes, false))
+    find_faults(document, mesh, encloses, faults);
+  for (const auto& [glass, meshes] : faults) {
+    const auto& [material, closure] = glass;
+    const bool open = closure == Closure::open;
+    const std::string &name = scene.materials[material].name,
+                      &mesh = document.model.meshes[meshes.first].name;
+    scene.warnings.push_back(fmt::format(
+        "the solid glass {} is {} in /meshes/{}{}{}: {}",
+        name.empty() ? std::to_string(material) : quoted(name), open ? "not closed" : "inside out",
+        meshes.first, mesh.empty() ? "" : " " + quoted(mesh),
+        meshes.count > 1 ? fmt::format(" and {} more", meshes.count - 1) : "",
+        open ? "close it, or make it thin-walled (\"solid\": false in the material's extras)"
+             : "its faces look inwards; turn them (Blender: Mesh, Normals, Recalculate Outside)"));
   }
 }
 

@@ -8,6 +8,9 @@
 #include <string_view>
 #include <utility>
 
+#include "core/gltf/json_place.h"
+#include "core/gltf/name_choice.h"
+
 namespace photopic {
 namespace {
 
@@ -20,6 +23,7 @@ struct KnownKey {
   std::array<std::string_view, 2> owners;  ///< lists of the file; may be one
   std::string_view belongs_to;
 };
+constexpr std::size_t kLongest = 60;
 constexpr std::string_view kMaterial = "a material", kCamera = "a camera (Blender: its data)";
 constexpr KnownKey kKnown[] = {
     {"emission_spectrum", {kMaterials, kLights}, "a material or a light (Blender: its data)"},
@@ -33,13 +37,18 @@ constexpr KnownKey kKnown[] = {
     {"resolution", {kCameras}, kCamera},
 };
 
-/// The same but for case, and blanks or hyphens for underscores.
-bool alike(std::string_view key, std::string_view known) {
-  const auto plain = [](char c) {
-    if (c == ' ' || c == '-') return '_';
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  };
-  return std::ranges::equal(key, known, {}, plain);
+/// Without what other conventions would write otherwise: "apertureRadius", "Aperture-Radius".
+std::string plain(std::string_view key) {
+  std::string letters;
+  for (const char c : key.substr(0, kLongest))
+    if (c != '_' && c != '-' && c != ' ')
+      letters += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return letters;
+}
+
+/// One letter off, but not the first: "class" is no misspelt "glass".
+bool is_misspelt(std::string_view key, std::string_view known) {
+  return !key.empty() && key.front() == known.front() && edit_distance(key, known) == 1;
 }
 
 class StrayExtras {
@@ -47,9 +56,16 @@ class StrayExtras {
   /// @param list JSON pointer of the list that the object stands in, @param object of the object itself
   void look_at(const tinygltf::Value& extras, std::string_view list, const std::string& object) {
     if (!extras.IsObject()) return;
-    for (const auto& [key, value] : extras.Get<tinygltf::Value::Object>())
-      for (const KnownKey& known : kKnown)
-        if (alike(key, known.name)) look_at(key, known, list, object);
+    for (const auto& [key, value] : extras.Get<tinygltf::Value::Object>()) {
+      const std::string letters = plain(key);
+      for (const KnownKey& known : kKnown) {
+        const std::string wanted = plain(known.name);
+        const bool is_read = std::ranges::count(known.owners, list) > 0;
+        if (is_read ? key != known.name && (letters == wanted || is_misspelt(letters, wanted))
+                    : letters == wanted)
+          add(key, known, is_read, list, object);
+      }
+    }
   }
 
   void warn(std::vector<std::string>& warnings) const {
@@ -66,15 +82,13 @@ class StrayExtras {
     std::size_t count = 0;
   };
 
-  void look_at(const std::string& key, const KnownKey& known, std::string_view list,
-               const std::string& object) {
-    const bool right_owner = std::ranges::count(known.owners, list) > 0;
-    if (right_owner && key == known.name) return;
+  void add(const std::string& key, const KnownKey& known, bool is_read, std::string_view list,
+           const std::string& object) {
     Stray& stray = found_[{std::string(list), key}];
     if (stray.count++ > 0) return;
-    stray.place = object + "/extras/" + key;
-    stray.remedy = right_owner ? fmt::format("write \"{}\"", known.name)
-                               : fmt::format("\"{}\" belongs to {}", known.name, known.belongs_to);
+    stray.place = object + "/extras" + pointer_token(key);
+    stray.remedy = is_read ? fmt::format("did you mean \"{}\"?", known.name)
+                           : fmt::format("\"{}\" belongs to {}", known.name, known.belongs_to);
   }
 
   std::map<std::pair<std::string, std::string>, Stray> found_;  ///< by list and key
