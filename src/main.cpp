@@ -1,5 +1,7 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -88,11 +90,22 @@ int run_guarded(int argc, char** argv) {
   return kExitInternalError;
 }
 
+/// Where stderr was closed (`2>&-`) the next file opened would get its number, and what is told would go
+/// there.
+void keep_stderr_open() {
+  if (::fcntl(STDERR_FILENO, F_GETFD) != -1) return;
+  const int nowhere = ::open("/dev/null", O_WRONLY);
+  if (nowhere < 0 || nowhere == STDERR_FILENO) return;
+  ::dup2(nowhere, STDERR_FILENO);
+  ::close(nowhere);
+}
+
 }  // namespace
 }  // namespace photopic
 
 int main(int argc, char** argv) {
   using namespace photopic;
+  keep_stderr_open();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error like a full disk
   const int code = run_guarded(argc, argv);
   return check_stdout() || code != kExitDone ? code : kExitBadInput;

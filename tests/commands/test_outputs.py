@@ -1,6 +1,7 @@
 """Outputs that cannot be written: told in a line each, exit code 1, nothing old is lost, everything else is written."""
 
 import json
+import os
 import resource
 import subprocess
 import unittest
@@ -84,6 +85,36 @@ class FullDisk(OutputTest):
             self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
             self.assertIn("standard output", result.stderr)
         self.assertIn("No space left", result.stderr)
+
+
+class BrokenStderr(OutputTest):
+    """Nobody can be told, but the work is done all the same."""
+
+    def run_mute(self, stderr, *arguments, **settings):
+        return subprocess.run([BINARY, *map(str, arguments)], cwd=self.folder, env=self.environment, stderr=stderr,
+                              stdout=subprocess.PIPE, timeout=DEADLINE, **settings)  # fmt: skip
+
+    def assert_works(self, stderr, **settings):
+        talkative = ["render", self.scene, "-o", "a.exr", "--sampler", "uniform", "--spp", "2", "--exposure", "1"]
+        self.assertEqual(self.run_mute(stderr, *talkative, "--json", "a.json", **settings).returncode, 0)
+        self.assertEqual(self.read_json("a.json")["spp"], 2)
+        self.photopic("diff", "a.exr", "a.exr")  # an image, and no words in it
+        self.assertEqual(self.run_mute(stderr, "info", "missing.gltf", **settings).returncode, 1)
+        for file in ["a.exr", "a.json"]:
+            (self.folder / file).unlink()
+
+    def test_full(self):
+        with open("/dev/full", "w") as full:
+            self.assert_works(full)
+
+    def test_closed(self):
+        self.assert_works(None, preexec_fn=lambda: os.close(2))
+
+    def test_pipe_without_a_reader(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        self.assert_works(writer, restore_signals=False)  # Python ignores SIGPIPE
+        os.close(writer)
 
 
 class RefusedEarly(OutputTest):
