@@ -339,6 +339,26 @@ class Compare(CommandTest):
         measured = self.read_json("diff.json")["runs"][0]["mean_delta_e"]
         self.assertAlmostEqual(measured, uniform["mean_delta_e"], places=4)
 
+    def interrupt_after_the_reference(self, *options):
+        """Returns what stderr held after it."""
+        command = [BINARY, "compare", str(self.scene), "--samplers", "uniform", "--spp", str(1 << 24), "--reference-spp",
+                   "4", "--no-cache", *options]  # fmt: skip
+        process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True, env=self.environment,
+                                   preexec_fn=lambda: start_with_signals(None))  # fmt: skip
+        while "reference, half 2" not in process.stderr.readline():
+            self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=DEADLINE)
+        self.assertEqual(process.returncode, 130, stderr)
+        return stderr
+
+    def test_interrupt_of_the_first_run_keeps_the_reference(self):
+        self.assertIn("--reference report/reference.exr", self.interrupt_after_the_reference("--report", "report"))
+        self.assertEqual({p.name for p in (self.folder / "report").iterdir()}, {"reference.exr", "reference.png"})
+        self.photopic("compare", self.scene, "--reference", "report/reference.exr", "--samplers", "uniform", "--spp", "1",
+                      "--quiet")  # fmt: skip
+        self.assertIn("before there was anything to compare", self.interrupt_after_the_reference())
+
     def test_one_sample_has_no_variance(self):
         out = self.photopic("compare", self.scene, "--samplers", "uniform,visible", "--spp", "1", "--reference-spp", "2",
                             "--json", "c.json", "--stats", "--quiet").stdout  # fmt: skip
