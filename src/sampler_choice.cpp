@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 #include "distribution_cache.h"
 #include "error.h"
+#include "input_file.h"
 #include "interrupt.h"
 #include "spectral/lamp_set.h"
 
@@ -89,6 +92,7 @@ DistributionRequest distribution_request(const SceneArguments& arguments, const 
 
 int choose_wavelength_count(int asked, const std::filesystem::path& distribution) {
   if (distribution.empty()) return asked > 0 ? asked : 4;
+  check_readable_file(distribution);
   const int count = static_cast<int>(read_distribution(distribution).components.size());
   if (count != 1 && count != 4 && count != 8 && count != 16)
     throw InputError(distribution.string(), fmt::format("holds {} wavelengths a path", count),
