@@ -8,12 +8,12 @@
 #include <csignal>
 #include <exception>
 #include <functional>
-#include <iostream>
 #include <new>
 #include <string>
 #include <thread>
 
 #include "command_line.h"
+#include "command_line_errors.h"
 #include "commands.h"
 #include "error.h"
 #include "interrupt.h"
@@ -22,34 +22,6 @@
 
 namespace photopic {
 namespace {
-
-/// The problem with an option's number of values, where the parser's words tell little; else its words.
-std::string problem_of(const CLI::App& command, const CLI::ParseError& error) {
-  const std::string words = error.what();
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return words;
-  for (const CLI::Option* option : command.get_options()) {
-    if (!words.starts_with(option->get_name() + ":")) continue;
-    const auto most = static_cast<std::size_t>(option->get_items_expected_max());
-    if (option->count() > most)
-      return fmt::format("{} is given {} times; give it once", option->get_name(), option->count());
-    return fmt::format("{}: its value is missing", option->get_name());
-  }
-  return words;
-}
-
-/// @return the exit code for what is wrong with the command line; help and version are nothing wrong
-int explain(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
-  const auto chosen = app.get_subcommands();
-  if (chosen.empty() && app.remaining_size() > 0) {
-    print_error(fmt::format("{}: there is no such command; see photopic --help", app.remaining().front()));
-  } else {
-    const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
-    const std::string problem = problem_of(chosen.empty() ? app : *chosen.front(), error);
-    print_error(fmt::format("{}; see photopic{} --help", problem, name));
-  }
-  return kExitBadInput;
-}
 
 int run(int argc, char** argv) {
   CLI::App app("A spectral path tracer that chooses its wavelengths to suit the lamps.", "photopic");

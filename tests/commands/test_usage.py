@@ -51,6 +51,21 @@ class Refused(CommandTest):
         self.assert_refused(["diff", "one.exr"], "IMAGE")
         self.assert_refused(["compare", self.scene, "--reference", "a.exr", "--reference-spp", "4"], "--reference")
 
+    def test_the_culprit_is_named(self):
+        again = "give {} anew before each value"
+        for arguments, needles in [
+            (["render", "-o", "a.exr", "a.png", self.scene], [f"not expected: {self.scene}", again.format("--output")]),
+            (["render", "--aov", "albedo", "normal", "-o", "a.exr", self.scene], [again.format("--output, --aov")]),
+            (["render", "--emitter", "cie:A", "cie:D65", "-o", "a.exr", self.scene], [again.format("--emitter, --output")]),
+            (["info", self.scene, "b", "c"], ["not expected: b c; see"]),
+            (["render", "--out", "a.exr", self.scene], ["--out: there is no such option (--output?); see"]),
+            (["render", "--frob=1", self.scene], ["--frob: there is no such option; see"]),
+            (["render", self.scene, "a.exr"], ["--output is required"]),
+            (["render", "--", self.scene], ["--output is required"]),
+            (["compare", self.scene, "--sampler", "uniform"], ["--sampler: there is no such option (--samplers?);"]),
+        ]:
+            self.assert_refused(arguments, *needles)
+
     def test_options_given_too_often_or_without_a_value(self):
         for option in ["--spp", "--seed", "--json", "--camera"]:
             self.assert_refused(self.render(option, "1", option, "2"), option + " is given ", "times; give it once")
