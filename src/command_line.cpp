@@ -60,6 +60,7 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option("-o,--output", a->outputs,
                   "Image to write: .exr .hdr (linear), .png .jpg (sRGB); may be repeated")
       ->required()
+      ->check(not_empty())
       ->type_name("FILE")
       ->allow_extra_args(false);
   command
@@ -95,6 +96,7 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option("--white-balance", a->white_balance,
                   "What comes out white, by Bradford adaptation: a SPECTRUM, or illuminant for the scene's "
                   "lamps; D65 if not given")
+      ->check(not_empty())
       ->type_name("SPECTRUM");
   bind_layers(command, *a);
   bind_seed(command, a->scene.seed);
@@ -123,7 +125,7 @@ void bind_spectrum(CLI::App& app, std::function<int()>& action) {
   CLI::App& command = *add_command(app, "spectrum", "Describe a lamp: its colour, temperature and lines",
                                    action, run_spectrum, a);
   command.add_option("SPECTRUM", a->spectrum, "The lamp's spectrum, see below")->required()->type_name("");
-  command.add_option("--plot", a->plot, "Picture of the spectrum")->type_name("FILE.svg");
+  command.add_option("--plot", a->plot, "Picture of the spectrum")->check(not_empty())->type_name("FILE.svg");
   bind_json(command, a->json);
   bind_quiet(command, a->quiet);
   command.footer(

@@ -134,6 +134,24 @@ class RefusedEarly(OutputTest):
         self.assertIn(".svg with labels, or an image, .exr .hdr .png .jpg", help_)
         self.photopic("spectrum", "cie:A", "--quiet", "--plot", "a.SVG")
 
+    def test_a_report_needs_a_folder(self):
+        (self.folder / "nowhere").symlink_to("missing")
+        (self.folder / "file").write_text("precious")
+        compare = ["compare", self.scene, "--samplers", "uniform", "--no-cache", "--report"]
+        for report in ["nowhere", "nowhere/"]:
+            self.assert_refused(compare + [report], report, "a symbolic link to no folder")
+        self.assert_refused(compare + ["file"], "file", "is not a folder")
+        self.assertEqual({p.name for p in self.folder.iterdir()}, {"tiny.gltf", "nowhere", "file"})
+
+    def test_an_empty_name_is_none(self):
+        for option in ["-o", "--json", "--distribution", "--environment", "--white-balance", "--camera"]:
+            self.assert_refused(["render", self.scene, "-o", "a.exr", option, ""], "it is empty")
+        for option in ["--report", "--reference", "--json"]:
+            self.assert_refused(["compare", self.scene, option, ""], option, "it is empty")
+        for option in ["-o", "--plot", "--color-bar", "--reflectances", "--json"]:
+            self.assert_refused(["optimize", "cie:A", option, ""], "it is empty")
+        self.assert_refused(["spectrum", "cie:A", "--plot", ""], "--plot", "it is empty")
+
     def test_a_hyphen_is_no_standard_output(self):
         for arguments in [
             ["info", self.scene, "--json", "-"],
