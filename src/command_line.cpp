@@ -67,12 +67,13 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option("--sampler", a->sampler,
                   "How wavelengths are chosen: uniform, visible, illuminant or optimized")
       ->capture_default_str()
-      ->check(one_of({"uniform", "visible", "illuminant", "optimized"}))
+      ->check(one_of(kSamplers))
       ->type_name("NAME");
   command
-      .add_option("--time", a->scene.seconds,
-                  "End the render after so many seconds, scene and optimisation not counted; without --spp "
-                  "as many samples as fit")
+      .add_option(
+          "--time", a->scene.seconds,
+          "End the render after so many seconds, scene and optimisation not counted, but not before each "
+          "pixel has a sample; without --spp as many samples as fit")
       ->check(kSeconds)
       ->type_name("SECONDS");
   command

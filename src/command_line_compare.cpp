@@ -16,7 +16,7 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str()
-      ->check(one_of({"uniform", "visible", "illuminant", "optimized"}))
+      ->check(one_of(kSamplers))
       ->type_name("NAME,…");
   auto* reference = command.add_option("--reference", a->reference,
                                        "Linear image to measure against; rendered if not given");
