@@ -184,6 +184,15 @@ class IdleOptions(OutputTest):
         self.assertEqual(len(result.stderr.splitlines()), 1)
         self.assertIn("--exposure has no effect", result.stderr)
 
+    def test_a_cache_that_cannot_be_kept(self):
+        (self.folder / "file").write_text("precious")
+        self.environment["XDG_CACHE_HOME"] = str(self.folder / "file")
+        lines = self.photopic("render", self.scene, "-o", "a.exr", "--wavelengths", "1", "--spp", "1", "--quiet")
+        lines = lines.stderr.splitlines()
+        self.assertEqual(len(lines), 1, lines)
+        for needle in ["warning: cannot keep the distribution", "XDG_CACHE_HOME", "--no-cache"]:
+            self.assertIn(needle, lines[0])
+
     def test_not_where_they_have_one(self):
         scene = json.loads(self.scene.read_text())
         scene["extensionsUsed"] += ["KHR_lights_punctual"]
