@@ -206,6 +206,21 @@ class IdleOptions(OutputTest):
         )
 
 
+class ClippedReference(OutputTest):
+    def test_is_warned_of_once(self):
+        self.photopic("render", self.scene, "-o", "a.exr", "-o", "a.png", "-o", "a.jpg", "--sampler", "uniform", "--spp", "2",
+                      "--seed", "9", "--quiet")  # fmt: skip
+        for reference in ["a.png", "a.jpg"]:
+            for command in [
+                ["diff", reference, "a.jpg", "a.exr"],
+                ["compare", self.scene, "--reference", reference, "--samplers", "visible,illuminant", "--spp", "1", "--quiet"],
+            ]:
+                clipped = [line for line in self.photopic(*command).stderr.splitlines() if "clipped" in line]
+                self.assertEqual(len(clipped), 1, command)
+                self.assertIn(f"warning: {reference}: ", clipped[0])
+        self.assertNotIn("clipped", self.photopic("diff", "a.exr", "a.png").stderr)
+
+
 class SharedNoise(OutputTest):
     def render_to(self, name, seed, sampler="uniform"):
         self.photopic("render", self.scene, "-o", name, "--sampler", sampler, "--spp", "2", "--seed", seed, "--quiet")
