@@ -18,7 +18,7 @@ MAY_INCLUDE = {
     "optimize": {"spectral", "optimize"},
     "": {"spectral", "core", "integrator", "optimize", ""},
 }
-FOR_EVERYBODY = {"atomic_file.h", "error.h", "file_ending.h"}
+FOR_EVERYBODY = {"atomic_file.h", "error.h", "file_ending.h", "input_file.h"}
 
 # Third-party headers and the files (relative to src/) that may include them, both as patterns.
 HOMES = {

@@ -60,18 +60,20 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option("-o,--output", a->outputs,
                   "Image to write: .exr .hdr (linear), .png .jpg (sRGB); may be repeated")
       ->required()
+      ->check(not_empty())
       ->type_name("FILE")
       ->allow_extra_args(false);
   command
       .add_option("--sampler", a->sampler,
                   "How wavelengths are chosen: uniform, visible, illuminant or optimized")
       ->capture_default_str()
-      ->check(one_of({"uniform", "visible", "illuminant", "optimized"}))
+      ->check(one_of(kSamplers))
       ->type_name("NAME");
   command
-      .add_option("--time", a->scene.seconds,
-                  "End the render after so many seconds, scene and optimisation not counted; without --spp "
-                  "as many samples as fit")
+      .add_option(
+          "--time", a->scene.seconds,
+          "End the render after so many seconds, scene and optimisation not counted, but not before each "
+          "pixel has a sample; without --spp as many samples as fit")
       ->check(kSeconds)
       ->type_name("SECONDS");
   command
@@ -95,6 +97,7 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option("--white-balance", a->white_balance,
                   "What comes out white, by Bradford adaptation: a SPECTRUM, or illuminant for the scene's "
                   "lamps; D65 if not given")
+      ->check(not_empty())
       ->type_name("SPECTRUM");
   bind_layers(command, *a);
   bind_seed(command, a->scene.seed);
@@ -123,7 +126,7 @@ void bind_spectrum(CLI::App& app, std::function<int()>& action) {
   CLI::App& command = *add_command(app, "spectrum", "Describe a lamp: its colour, temperature and lines",
                                    action, run_spectrum, a);
   command.add_option("SPECTRUM", a->spectrum, "The lamp's spectrum, see below")->required()->type_name("");
-  command.add_option("--plot", a->plot, "Picture of the spectrum")->type_name("FILE.svg");
+  command.add_option("--plot", a->plot, "Picture of the spectrum")->check(not_empty())->type_name("FILE.svg");
   bind_json(command, a->json);
   bind_quiet(command, a->quiet);
   command.footer(

@@ -16,11 +16,11 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str()
-      ->check(one_of({"uniform", "visible", "illuminant", "optimized"}))
+      ->check(one_of(kSamplers))
       ->type_name("NAME,…");
   auto* reference = command.add_option("--reference", a->reference,
                                        "Linear image to measure against; rendered if not given");
-  reference->type_name("FILE.exr");
+  reference->check(not_empty())->type_name("FILE.exr");
   command
       .add_option("--reference-spp", a->reference_spp,
                   "Samples per pixel of the rendered reference: optimised wavelengths, seeds of its own; 16 "
@@ -46,6 +46,7 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
   command
       .add_option("--report", a->report,
                   "Folder for each sampler's EXR and PNG, the reference's, the color bars and the table")
+      ->check(not_empty())
       ->type_name("DIR");
   bind_seed(command, a->scene.seed);
   bind_threads(command, threads);

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
+#include "command_line_options.h"
+
 namespace photopic {
 namespace {
 
@@ -41,9 +43,9 @@ void bind_lights(CLI::App& command, SceneArguments& a) {
       ->type_name("X");
   auto* environment = command.add_option(
       "--environment", a.environment,
-      "Picture of the surroundings in latitude and longitude, .exr or .hdr, its linear RGB in cd/m2; its "
-      "middle lies in the direction -z, its upper edge in +y");
-  environment->type_name("FILE");
+      "Picture of the surroundings in latitude and longitude, .exr or .hdr, its linear RGB in cd/m2 (of a "
+      ".png or .jpg from 0 to 1); its middle lies in the direction -z, its upper edge in +y");
+  environment->check(not_empty())->type_name("FILE");
   command
       .add_option("--environment-rotation", a.environment_rotation,
                   "Turns it about +y, counter-clockwise seen from above [degrees]")

@@ -19,7 +19,7 @@ void bind_optimize(CLI::App& app, std::function<int()>& action, int& threads) {
       ->type_name("[SPECTRUM[*POWER]…]");
   auto* output =
       command.add_option("-o,--output", a->output, "Where the densities go, for render --distribution");
-  output->type_name("FILE.json");
+  output->check(not_empty())->type_name("FILE.json");
   auto* wavelengths = command.add_option("--wavelengths", a->wavelengths,
                                          "Wavelengths a path carries, 1 to 16 (render takes 1, 4, 8, 16)");
   wavelengths->capture_default_str()->check(CLI::Range(1, 16))->type_name("N");
@@ -50,6 +50,7 @@ void bind_optimize(CLI::App& app, std::function<int()>& action, int& threads) {
           "--reflectances", a->reflectances,
           "Measured reflectances to optimise for, beside the built-in set: columns of text (nm, then one "
           "reflectance from 0 to 1 a column), or a CGATS .sp; for the asymptotic objective")
+      ->check(not_empty())
       ->type_name("FILE");
   bind_white(command, a->white, "White of ΔE: D65, or the illuminant for an adapted observer");
   command
@@ -58,11 +59,13 @@ void bind_optimize(CLI::App& app, std::function<int()>& action, int& threads) {
           "Picture of the colours that the sampler sees, below the other samplers': .svg with labels, or an "
           "image, .exr .hdr .png .jpg")
       ->excludes(compare)
+      ->check(not_empty())
       ->type_name("FILE");
   command
       .add_option("--plot", a->plot,
                   "Picture of the spectrum, the densities, and what single paths see before and after")
       ->excludes(compare)
+      ->check(not_empty())
       ->type_name("FILE.svg");
   bind_seed(command, a->seed);
   bind_threads(command, threads);

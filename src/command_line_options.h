@@ -22,6 +22,11 @@ inline CLI::Validator one_of(std::vector<std::string> names) {
   return CLI::IsMember(std::move(names));
 }
 
+/// An empty name would be taken for none given.
+inline CLI::Validator not_empty() {
+  return {[](std::string& text) { return text.empty() ? std::string("it is empty") : std::string(); }, ""};
+}
+
 inline void bind_seed(CLI::App& command, std::uint32_t& seed) {
   command.add_option("--seed", seed, "Same seed, same bits, whatever the number of threads")
       ->capture_default_str()
@@ -38,6 +43,7 @@ inline void bind_threads(CLI::App& command, int& threads) {
 
 inline void bind_json(CLI::App& command, std::filesystem::path& json) {
   command.add_option("--json", json, "Write the result for machines to read; standard output is /dev/stdout")
+      ->check(not_empty())
       ->type_name("FILE");
 }
 

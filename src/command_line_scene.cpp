@@ -17,9 +17,6 @@ const CLI::Validator kExposure(
     },
     "-100…100");
 
-const CLI::Validator kNotEmpty(
-    [](std::string& text) { return text.empty() ? std::string("it is empty") : std::string(); }, "");
-
 }  // namespace
 
 void bind_scene_file(CLI::App& command, SceneArguments& a) {
@@ -36,7 +33,7 @@ void bind_scene_file(CLI::App& command, SceneArguments& a) {
                   "The camera whose name or node's name is NAME, else the N-th in the file, from 0: N, or "
                   "index:N where a camera is called N. Of several with one name, the first. The scene's "
                   "first if not given; a scene without any is framed")
-      ->check(kNotEmpty)
+      ->check(not_empty())
       ->type_name("NAME|N");
 }
 
@@ -55,6 +52,7 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
       .add_option("--distribution", a.distribution,
                   "Wavelength densities written by `photopic optimize` for this scene's lamps, of " + served +
                       "; if not given, they are optimised on the spot and kept in $XDG_CACHE_HOME/photopic")
+      ->check(not_empty())
       ->type_name("FILE.json");
   command.add_flag("--no-cache", a.no_cache, "Neither read nor write that cache");
   command.add_option("--sequence", a.sequence, "Random numbers: sobol (Owen-scrambled) or independent")

@@ -16,6 +16,9 @@ inline constexpr int kExitBadInput = 1;
 inline constexpr int kExitInternalError = 2;
 inline constexpr int kExitSignal = 128;  ///< + the signal: see interrupt.h
 
+/// What --sampler and --samplers may name; choose_sampler makes them.
+inline const std::vector<std::string> kSamplers{"uniform", "visible", "illuminant", "optimized"};
+
 /// How render and compare load a scene and draw its samples.
 struct SceneArguments {
   std::filesystem::path scene;
@@ -58,7 +61,7 @@ int run_render(const RenderArguments& arguments);
 
 struct CompareArguments {
   SceneArguments scene;
-  std::vector<std::string> samplers{"uniform", "visible", "illuminant", "optimized"};
+  std::vector<std::string> samplers = kSamplers;
   std::filesystem::path reference;  ///< an image; empty: rendered
   int reference_spp = 0;            ///< 0: 16 times the runs', at least 1,024
   std::vector<int> curve;           ///< further samples per pixel at which the mean ΔE is measured

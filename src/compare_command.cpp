@@ -5,6 +5,7 @@
 #include "commands.h"
 #include "comparison_run.h"
 #include "error.h"
+#include "input_file.h"
 #include "interrupt.h"
 #include "optimize_run.h"
 #include "output_file.h"
@@ -61,12 +62,17 @@ void write_reference(const Setting& setting, Reference& reference, OutputAttempt
   reference.file = (setting.arguments.report / "reference.exr").string();
 }
 
+/// @return whether it is there
+bool make_folder(const std::filesystem::path& folder, OutputAttempts& attempt) {
+  std::error_code ignored;
+  attempt([&] { std::filesystem::create_directories(folder); });
+  return std::filesystem::is_directory(folder, ignored);
+}
+
 void write_report(const Setting& setting, const std::vector<Entry>& entries, Comparison& comparison,
                   OutputAttempts& attempt) {
   const std::filesystem::path& folder = setting.arguments.report;
-  std::error_code ignored;
-  attempt([&] { std::filesystem::create_directories(folder); });
-  if (!std::filesystem::is_directory(folder, ignored)) return;
+  if (!make_folder(folder, attempt)) return;
   std::vector<WavelengthSampler> samplers;
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     const Run& run = comparison.runs[i];
@@ -84,10 +90,25 @@ void write_json(const CompareArguments& arguments, const Camera& camera, const C
   write_json_file(arguments.json, json);
 }
 
+/// Before the first run was done. A rendered reference, the dearest part, is kept where there is a report.
+int interrupted_early(const Setting& setting, Reference& reference) {
+  OutputAttempts attempt;
+  const std::filesystem::path& folder = setting.arguments.report;
+  if (reference.spp > 0 && !folder.empty() && make_folder(folder, attempt)) {
+    write_reference(setting, reference, attempt);
+    print_warning("interrupted: the report holds the reference alone; go on with --reference " +
+                  reference.file);
+  } else {
+    print_warning("interrupted before there was anything to compare");
+  }
+  return attempt.exit_code(interrupted_exit_code());
+}
+
 }  // namespace
 
 int run_compare(const CompareArguments& arguments) {
   interrupt_flag();  // from here on Ctrl-C keeps what is done
+  if (!arguments.reference.empty()) check_readable_file(arguments.reference);
   const std::vector<std::filesystem::path> outputs = check_outputs(arguments);
   const int wavelengths = choose_wavelength_count(arguments.scene.wavelengths, arguments.scene.distribution);
   const PreparedScene scene(load_scene(arguments.scene, outputs));
@@ -102,10 +123,7 @@ int run_compare(const CompareArguments& arguments) {
   if (arguments.scene.exposure != 0.0 && arguments.report.empty())
     print_warning("--exposure has no effect without --report, whose PNG files it is for");
   Comparison comparison = compare(setting, entries);
-  if (comparison.runs.empty()) {
-    print_warning("interrupted before there was anything to compare");
-    return interrupted_exit_code();
-  }
+  if (comparison.runs.empty()) return interrupted_early(setting, comparison.reference);
   OutputAttempts attempt;
   if (!arguments.report.empty()) write_report(setting, entries, comparison, attempt);
   if (!arguments.json.empty()) attempt([&] { write_json(arguments, scene.scene.camera, comparison); });

@@ -29,6 +29,7 @@ Reference read_reference(const Setting& setting) {
 }
 
 void warn_of_reference(const std::filesystem::path& file, const std::vector<Entry>& entries) {
+  warn_of_8_bit_reference(file);
   const Metadata reference = read_metadata(file);
   for (const Entry& entry : entries)
     warn_of_shared_noise(reference, entry.name,

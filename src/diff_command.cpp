@@ -15,6 +15,7 @@ int run_diff(const DiffArguments& arguments) {
   inputs.push_back(arguments.reference);
   check_no_overwriting({arguments.json}, inputs);
   const Image reference = read_image(arguments.reference);
+  warn_of_8_bit_reference(arguments.reference);
   const Metadata metadata = read_metadata(arguments.reference);
 
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();

@@ -60,7 +60,10 @@ void write_cached(const fs::path& file, const WavelengthDistribution& distributi
     fs::create_directories(file.parent_path());
     write_distribution(file, distribution);
   } catch (const std::exception& problem) {
-    print_warning(fmt::format("cannot keep the distribution in the cache: {}", problem.what()));
+    print_warning(fmt::format(
+        "cannot keep the distribution in the cache: {}; set XDG_CACHE_HOME to a folder for it, or "
+        "give --no-cache",
+        problem.what()));
   }
 }
 

@@ -12,17 +12,26 @@ std::atomic<bool> interrupted{false};
 std::atomic<int> last_signal{SIGINT};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
+/// Not where the signal is ignored, as nohup leaves SIGHUP and a script's "&" SIGINT.
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action = {};
+  if (sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) return;
+  action = {};
+  action.sa_handler = handler;
+  sigaction(signal, &action, nullptr);
+}
+
 void on_interrupt(int signal) {
   last_signal.store(signal);
   interrupted.store(true);
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  handle(SIGHUP, SIG_IGN);  // a closed terminal sends it twice: by the kernel and by the shell
+  handle(SIGTERM, SIG_DFL);
+  handle(SIGINT, SIG_DFL);
 }
 
 bool install() {
-  struct sigaction action = {};
-  action.sa_handler = on_interrupt;
-  return sigaction(SIGTERM, &action, nullptr) == 0 && sigaction(SIGINT, &action, nullptr) == 0;
+  for (int signal : {SIGHUP, SIGTERM, SIGINT}) handle(signal, on_interrupt);
+  return true;
 }
 
 }  // namespace

@@ -1,17 +1,19 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <exception>
 #include <functional>
-#include <iostream>
 #include <new>
 #include <string>
 #include <thread>
 
 #include "command_line.h"
+#include "command_line_errors.h"
 #include "commands.h"
 #include "error.h"
 #include "interrupt.h"
@@ -20,34 +22,6 @@
 
 namespace photopic {
 namespace {
-
-/// The problem with an option's number of values, where the parser's words tell little; else its words.
-std::string problem_of(const CLI::App& command, const CLI::ParseError& error) {
-  const std::string words = error.what();
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return words;
-  for (const CLI::Option* option : command.get_options()) {
-    if (!words.starts_with(option->get_name() + ":")) continue;
-    const auto most = static_cast<std::size_t>(option->get_items_expected_max());
-    if (option->count() > most)
-      return fmt::format("{} is given {} times; give it once", option->get_name(), option->count());
-    return fmt::format("{}: its value is missing", option->get_name());
-  }
-  return words;
-}
-
-/// @return the exit code for what is wrong with the command line; help and version are nothing wrong
-int explain(const CLI::App& app, const CLI::ParseError& error) {
-  if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
-  const auto chosen = app.get_subcommands();
-  if (chosen.empty() && app.remaining_size() > 0) {
-    print_error(fmt::format("{}: there is no such command; see photopic --help", app.remaining().front()));
-  } else {
-    const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
-    const std::string problem = problem_of(chosen.empty() ? app : *chosen.front(), error);
-    print_error(fmt::format("{}; see photopic{} --help", problem, name));
-  }
-  return kExitBadInput;
-}
 
 int run(int argc, char** argv) {
   CLI::App app("A spectral path tracer that chooses its wavelengths to suit the lamps.", "photopic");
@@ -88,11 +62,22 @@ int run_guarded(int argc, char** argv) {
   return kExitInternalError;
 }
 
+/// Where stderr was closed (`2>&-`) the next file opened would get its number, and what is told would go
+/// there.
+void keep_stderr_open() {
+  if (::fcntl(STDERR_FILENO, F_GETFD) != -1) return;
+  const int nowhere = ::open("/dev/null", O_WRONLY);
+  if (nowhere < 0 || nowhere == STDERR_FILENO) return;
+  ::dup2(nowhere, STDERR_FILENO);
+  ::close(nowhere);
+}
+
 }  // namespace
 }  // namespace photopic
 
 int main(int argc, char** argv) {
   using namespace photopic;
+  keep_stderr_open();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error like a full disk
   const int code = run_guarded(argc, argv);
   return check_stdout() || code != kExitDone ? code : kExitBadInput;

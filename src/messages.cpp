@@ -11,12 +11,21 @@
 
 namespace photopic {
 
+namespace {
+
+/// fmt::print would throw where stderr takes nothing: nobody is left to be told, but the work goes on.
+void print_line(const char* kind, const std::string& text) {
+  std::fputs(fmt::format("{}: {}\n", kind, without_controls(text)).c_str(), stderr);
+}
+
+}  // namespace
+
 void print_error(const std::string& text) {
-  fmt::print(stderr, "photopic: {}\n", without_controls(text));
+  print_line("photopic", text);
 }
 
 void print_warning(const std::string& text) {
-  fmt::print(stderr, "warning: {}\n", without_controls(text));
+  print_line("warning", text);
 }
 
 void print_out(std::string_view text) {

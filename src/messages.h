@@ -6,7 +6,7 @@
 namespace photopic {
 
 /// All that a person reads on a terminal goes through here: names from files may hold control characters,
-/// and the terminal shall not obey them.
+/// and the terminal shall not obey them. A stderr that takes nothing is borne with.
 
 /// One line on stderr, `photopic: …`.
 void print_error(const std::string& text);

@@ -28,7 +28,10 @@ void check_writable_folder(const fs::path& folder) {
   std::error_code error;
   if (fs::is_directory(folder, error)) return check_writable_file(folder / "any");
   if (fs::exists(folder, error)) throw InputError(folder.string(), "is not a folder", "name a folder");
-  check_writable_file(folder.has_filename() ? folder : folder.parent_path());
+  const fs::path name = folder.has_filename() ? folder : folder.parent_path();
+  if (fs::is_symlink(name, error))
+    throw InputError(folder.string(), "is a symbolic link to no folder", "make that or name another");
+  check_writable_file(name);
 }
 
 bool is_svg(const fs::path& file) {

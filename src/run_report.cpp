@@ -138,6 +138,14 @@ void warn_of_shared_noise(const Metadata& reference, const std::string& name, co
         name, reference.at("seed")));
 }
 
+void warn_of_8_bit_reference(const std::filesystem::path& file) {
+  if (is_image(file) && !is_float_image(file))
+    print_warning(
+        file.string() +
+        ": the reference's colours are clipped to [0, 1] and rounded to 8 bits, which counts as error; "
+        "an .exr holds them whole");
+}
+
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t n = values.size();

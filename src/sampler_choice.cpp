@@ -4,23 +4,36 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 #include "distribution_cache.h"
 #include "error.h"
+#include "input_file.h"
 #include "interrupt.h"
 #include "spectral/lamp_set.h"
 
 namespace photopic {
 namespace {
 
+/// The value that stands beside the name. The command line lets no other name pass.
+template <typename T>
+T named(std::string_view name, std::initializer_list<std::pair<std::string_view, T>> values) {
+  for (const auto& [known, value] : values)
+    if (name == known) return value;
+  throw std::logic_error(fmt::format("the name {} is not known", name));
+}
+
 Objective objective_named(std::string_view name) {
-  return name == "mean-delta-e" ? Objective::mean_delta_e : Objective::asymptotic;
+  return named<Objective>(name,
+                          {{"asymptotic", Objective::asymptotic}, {"mean-delta-e", Objective::mean_delta_e}});
 }
 Effort effort_named(std::string_view name) {
-  return name == "quick" ? Effort::quick : name == "thorough" ? Effort::thorough : Effort::normal;
+  return named<Effort>(
+      name, {{"quick", Effort::quick}, {"default", Effort::normal}, {"thorough", Effort::thorough}});
 }
 White white_named(std::string_view name) {
-  return name == "illuminant" ? White::illuminant : White::d65;
+  return named<White>(name, {{"D65", White::d65}, {"illuminant", White::illuminant}});
 }
 
 /// A scene's lamps as `photopic optimize` takes them, so far as they have a spectrum that it can read.
@@ -89,6 +102,7 @@ DistributionRequest distribution_request(const SceneArguments& arguments, const 
 
 int choose_wavelength_count(int asked, const std::filesystem::path& distribution) {
   if (distribution.empty()) return asked > 0 ? asked : 4;
+  check_readable_file(distribution);
   const int count = static_cast<int>(read_distribution(distribution).components.size());
   if (count != 1 && count != 4 && count != 8 && count != 16)
     throw InputError(distribution.string(), fmt::format("holds {} wavelengths a path", count),
@@ -105,7 +119,8 @@ ChosenSampler choose_sampler(std::string_view name, const PreparedScene& scene,
   if (name == "uniform") return {UniformWavelengths{count}, 0.0};
   if (name == "visible") return {VisibleWavelengths{count}, 0.0};
   if (name == "illuminant") return {IlluminantWavelengths{count, base_density(scene_emission(scene))}, 0.0};
-  return optimized_sampler(scene, request);
+  if (name == "optimized") return optimized_sampler(scene, request);
+  throw std::logic_error(fmt::format("there is no sampler {}", name));
 }
 
 }  // namespace photopic

@@ -38,7 +38,7 @@ struct ChosenSampler {
   double optimize_seconds = 0;  ///< paid when its distribution was made, now or before; 0: it has none
 };
 
-/// The sampler called `name` ("uniform", "visible", "illuminant", "optimized") for a scene's lamps.
+/// The sampler called `name`, one of kSamplers, for a scene's lamps.
 /// @throws InputError when the distribution file was made for others
 ChosenSampler choose_sampler(std::string_view name, const PreparedScene& scene,
                              const DistributionRequest& request);

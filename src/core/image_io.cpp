@@ -18,6 +18,7 @@
 #include "core/quiet_stderr.h"
 #include "error.h"
 #include "file_ending.h"
+#include "input_file.h"
 #include "spectral/color.h"
 
 namespace photopic {
@@ -230,9 +231,7 @@ Image read_image(const std::filesystem::path& file) {
   const auto fail = [&](const std::string& problem, const std::string& remedy) {
     throw InputError(file.string(), problem, remedy);
   };
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    fail("there is no such file", "check its name and folder");
+  check_readable_file(file);
   const QuietStderr quiet;
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string());
   if (!input)

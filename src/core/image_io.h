@@ -59,7 +59,8 @@ Metadata read_metadata(const std::filesystem::path& file);
 
 /// Reads an image as linear sRGB: channels R, G, B, or X, Y, Z, or else the first three; 8-bit files are
 /// sRGB-decoded.
-/// @throws InputError when there is no such file, it is no image, or it is absurdly large
+/// @throws InputError when there is no such file or it may not be read, it is no image, or it is absurdly
+/// large
 Image read_image(const std::filesystem::path& file);
 
 /// Checks before a long render that `file` can be written: its folder exists and its ending is known.

@@ -80,8 +80,10 @@ void Progress::print(std::uint64_t done, bool last) {
     facts.push_back(format_seconds(elapsed * (1.0 / part - 1.0)) + " left");
   const std::string line = fmt::format("{}: {}", label_, fmt::join(facts, ", "));
   // On a terminal the line is drawn over the one before; \033[K clears what that one had more.
-  fmt::print(stderr, "{}{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "\033[K" : "",
-             !terminal_ || last ? "\n" : "");
+  const std::string drawn = fmt::format("{}{}{}{}", terminal_ ? "\r" : "", line, terminal_ ? "\033[K" : "",
+                                        !terminal_ || last ? "\n" : "");
+  std::fputs(drawn.c_str(),
+             stderr);  // fmt::print would throw, and end the render, where stderr takes nothing
   std::fflush(stderr);
 }
 

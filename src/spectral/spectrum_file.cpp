@@ -9,6 +9,7 @@
 
 #include "error.h"
 #include "file_ending.h"
+#include "input_file.h"
 #include "spectral/illuminants.h"
 #include "spectral/spectrum_readers.h"
 
@@ -115,6 +116,7 @@ TabulatedSpectrum read_spectrum_file(const std::filesystem::path& file, Beyond b
 
 std::vector<TabulatedSpectrum> read_reflectance_file(const std::filesystem::path& file) {
   constexpr std::size_t kMost = 1000;
+  check_readable_file(file);
   const std::string text = read_text(file), name = file.string(), extension = lower_case_ending(file);
   if (extension == ".json" || extension == ".spdx")
     throw InputError(name, "reflectances are not read from this format",

@@ -34,6 +34,24 @@ void check_order(const std::string& name, const std::vector<SpectrumRow>& rows, 
                      "keep one, or two for a jump");
 }
 
+/// What the wavelengths' unit is where they are hardly in nm; else empty.
+std::string other_unit(double shortest, double longest) {
+  if (longest < 1e-4) return "metres (multiply by 1e9)";
+  if (longest < 10.0) return "micrometres (multiply by 1000) or electronvolts (divide 1239.84 by them)";
+  const bool visible_as_angstrom = shortest < 10.0 * kLambdaMax && longest > 10.0 * kLambdaMin;
+  return shortest > kLambdaMax && visible_as_angstrom ? "ångström (divide by 10)" : "";
+}
+
+/// Told before the order, which turns round from electronvolts to nm.
+void check_unit(const std::string& name, const std::vector<SpectrumRow>& rows) {
+  const auto [shortest, longest] = std::ranges::minmax(rows, {}, &SpectrumRow::lambda);
+  const std::string unit = shortest.lambda > 0.0 ? other_unit(shortest.lambda, longest.lambda) : "";
+  if (!unit.empty())
+    throw InputError(
+        name, fmt::format("the wavelengths, {} to {}, look like {}", shortest.lambda, longest.lambda, unit),
+        "give them in nm");
+}
+
 }  // namespace
 
 TabulatedSpectrum table_from_rows(const std::string& name, const std::vector<SpectrumRow>& rows,
@@ -41,6 +59,7 @@ TabulatedSpectrum table_from_rows(const std::string& name, const std::vector<Spe
   if (rows.empty()) throw InputError(name, "holds no rows", "give rows of wavelength [nm] and value");
   if (rows.size() == 1)
     throw InputError(name, "holds a single row", "give at least two (line:NM is a spectral line)");
+  check_unit(name, rows);
   std::vector<double> lambda, value;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     check_row(name, rows[i]);
@@ -48,10 +67,6 @@ TabulatedSpectrum table_from_rows(const std::string& name, const std::vector<Spe
     lambda.push_back(rows[i].lambda);
     value.push_back(rows[i].value);
   }
-  if (lambda.back() < 10.0)
-    throw InputError(
-        name, fmt::format("the wavelengths, {} to {}, look like micrometres", lambda.front(), lambda.back()),
-        "give them in nm (multiply by 1000)");
   return {std::move(lambda), std::move(value), beyond};
 }
 

@@ -151,6 +151,34 @@ class WhereTheyLead(OutputTest):
             self.assertEqual(len(kept), 1)
             self.assertIn(str(kept[0].name), error)
             self.assertEqual(kept[0].read_bytes()[:4], b"\x76\x2f\x31\x01")
+class BrokenStderr(OutputTest):
+    """Nobody can be told, but the work is done all the same."""
+
+    def run_mute(self, stderr, *arguments, **settings):
+        return subprocess.run([BINARY, *map(str, arguments)], cwd=self.folder, env=self.environment, stderr=stderr,
+                              stdout=subprocess.PIPE, timeout=DEADLINE, **settings)  # fmt: skip
+
+    def assert_works(self, stderr, **settings):
+        talkative = ["render", self.scene, "-o", "a.exr", "--sampler", "uniform", "--spp", "2", "--exposure", "1"]
+        self.assertEqual(self.run_mute(stderr, *talkative, "--json", "a.json", **settings).returncode, 0)
+        self.assertEqual(self.read_json("a.json")["spp"], 2)
+        self.photopic("diff", "a.exr", "a.exr")  # an image, and no words in it
+        self.assertEqual(self.run_mute(stderr, "info", "missing.gltf", **settings).returncode, 1)
+        for file in ["a.exr", "a.json"]:
+            (self.folder / file).unlink()
+
+    def test_full(self):
+        with open("/dev/full", "w") as full:
+            self.assert_works(full)
+
+    def test_closed(self):
+        self.assert_works(None, preexec_fn=lambda: os.close(2))
+
+    def test_pipe_without_a_reader(self):
+        reader, writer = os.pipe()
+        os.close(reader)
+        self.assert_works(writer, restore_signals=False)  # Python ignores SIGPIPE
+        os.close(writer)
 
 
 class RefusedEarly(OutputTest):
@@ -169,6 +197,24 @@ class RefusedEarly(OutputTest):
         help_ = " ".join(self.photopic("optimize", "--help").stdout.split())
         self.assertIn(".svg with labels, or an image, .exr .hdr .png .jpg", help_)
         self.photopic("spectrum", "cie:A", "--quiet", "--plot", "a.SVG")
+
+    def test_a_report_needs_a_folder(self):
+        (self.folder / "nowhere").symlink_to("missing")
+        (self.folder / "file").write_text("precious")
+        compare = ["compare", self.scene, "--samplers", "uniform", "--no-cache", "--report"]
+        for report in ["nowhere", "nowhere/"]:
+            self.assert_refused(compare + [report], report, "a symbolic link to no folder")
+        self.assert_refused(compare + ["file"], "file", "is not a folder")
+        self.assertEqual({p.name for p in self.folder.iterdir()}, {"tiny.gltf", "nowhere", "file"})
+
+    def test_an_empty_name_is_none(self):
+        for option in ["-o", "--json", "--distribution", "--environment", "--white-balance", "--camera"]:
+            self.assert_refused(["render", self.scene, "-o", "a.exr", option, ""], "it is empty")
+        for option in ["--report", "--reference", "--json"]:
+            self.assert_refused(["compare", self.scene, option, ""], option, "it is empty")
+        for option in ["-o", "--plot", "--color-bar", "--reflectances", "--json"]:
+            self.assert_refused(["optimize", "cie:A", option, ""], "it is empty")
+        self.assert_refused(["spectrum", "cie:A", "--plot", ""], "--plot", "it is empty")
 
     def test_a_hyphen_is_no_standard_output(self):
         for arguments in [
@@ -202,6 +248,15 @@ class IdleOptions(OutputTest):
         self.assertEqual(len(result.stderr.splitlines()), 1)
         self.assertIn("--exposure has no effect", result.stderr)
 
+    def test_a_cache_that_cannot_be_kept(self):
+        (self.folder / "file").write_text("precious")
+        self.environment["XDG_CACHE_HOME"] = str(self.folder / "file")
+        lines = self.photopic("render", self.scene, "-o", "a.exr", "--wavelengths", "1", "--spp", "1", "--quiet")
+        lines = lines.stderr.splitlines()
+        self.assertEqual(len(lines), 1, lines)
+        for needle in ["warning: cannot keep the distribution", "XDG_CACHE_HOME", "--no-cache"]:
+            self.assertIn(needle, lines[0])
+
     def test_not_where_they_have_one(self):
         scene = json.loads(self.scene.read_text())
         scene["extensionsUsed"] += ["KHR_lights_punctual"]
@@ -213,6 +268,21 @@ class IdleOptions(OutputTest):
         self.assertEqual(
             self.warnings("-o", "a.exr", "-o", "a.png", "--color", "xyz", "--white-balance", "cie:A"), []
         )
+
+
+class ClippedReference(OutputTest):
+    def test_is_warned_of_once(self):
+        self.photopic("render", self.scene, "-o", "a.exr", "-o", "a.png", "-o", "a.jpg", "--sampler", "uniform", "--spp", "2",
+                      "--seed", "9", "--quiet")  # fmt: skip
+        for reference in ["a.png", "a.jpg"]:
+            for command in [
+                ["diff", reference, "a.jpg", "a.exr"],
+                ["compare", self.scene, "--reference", reference, "--samplers", "visible,illuminant", "--spp", "1", "--quiet"],
+            ]:
+                clipped = [line for line in self.photopic(*command).stderr.splitlines() if "clipped" in line]
+                self.assertEqual(len(clipped), 1, command)
+                self.assertIn(f"warning: {reference}: ", clipped[0])
+        self.assertNotIn("clipped", self.photopic("diff", "a.exr", "a.png").stderr)
 
 
 class SharedNoise(OutputTest):

@@ -21,6 +21,12 @@ RUN_FIELDS = {
 SVG = "{http://www.w3.org/2000/svg}"
 
 
+def start_with_signals(ignored):
+    """As a terminal's shell starts its commands, but for a signal."""
+    for number in [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]:
+        signal.signal(number, signal.SIG_IGN if number == ignored else signal.SIG_DFL)
+
+
 class Render(CommandTest):
     def render(self, name, *options, sampler="uniform"):
         self.photopic("render", self.scene, "-o", name, "--sampler", sampler, "--spp", "4", "--quiet", *options)
@@ -126,23 +132,29 @@ class Render(CommandTest):
                 run = self.read_json("a.json")
                 self.assertEqual((run["wavelengths"], run["sampler"]), (count, sampler))
 
-    def wait_for_handler(self, pid):
-        """Until the process catches SIGINT."""
+    def wait_for_handler(self, pid, awaited=signal.SIGINT):
+        """Until the process catches the signal."""
         for _ in range(DEADLINE * 20):
             status = pathlib.Path(f"/proc/{pid}/status").read_text()
             caught = int(re.search(r"SigCgt:\s*([0-9a-f]+)", status).group(1), 16)
-            if caught >> (signal.SIGINT - 1) & 1:
+            if caught >> (awaited - 1) & 1:
                 return
             time.sleep(0.05)
-        self.fail("SIGINT is not caught")
+        self.fail(f"{awaited} is not caught")
 
-    def interrupt(self, seconds, *options, sent=signal.SIGINT):
-        """Renders until the signal, sent some time after SIGINT is caught. Returns what stderr held."""
+    def interrupt(self, seconds, *options, sent=signal.SIGINT, ignored=None):
+        """Renders until the signal, sent some time after it is caught, and after one that is ignored. Returns what
+        stderr held."""
         command = [BINARY, "render", str(self.scene), "-o", "a.exr", "--json", "a.json", *options]
-        process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True, env=self.environment)
-        self.wait_for_handler(process.pid)
+        process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True, env=self.environment,
+                                   preexec_fn=lambda: start_with_signals(ignored))  # fmt: skip
+        self.wait_for_handler(process.pid, sent)
+        if ignored:
+            process.send_signal(ignored)
         time.sleep(seconds)
         process.send_signal(sent)
+        if sent == signal.SIGHUP:  # the terminal's, and the shell's after it
+            process.send_signal(sent)
         _, stderr = process.communicate(timeout=DEADLINE)
         self.assertEqual(process.returncode, 128 + sent, stderr)
         self.assertIn("interrupted", stderr)
@@ -154,8 +166,15 @@ class Render(CommandTest):
     def test_so_does_sigterm(self):
         self.check_partial_image(signal.SIGTERM)
 
-    def check_partial_image(self, sent):
-        self.interrupt(1, "--sampler", "uniform", "--spp", str(1 << 24), sent=sent)
+    def test_so_does_a_closed_terminal(self):
+        self.check_partial_image(signal.SIGHUP)
+
+    def test_ignored_signals_stay_ignored(self):
+        self.check_partial_image(signal.SIGINT, ignored=signal.SIGHUP)  # nohup
+        self.check_partial_image(signal.SIGTERM, ignored=signal.SIGINT)  # in the background of a script
+
+    def check_partial_image(self, sent, ignored=None):
+        self.interrupt(1, "--sampler", "uniform", "--spp", str(1 << 24), sent=sent, ignored=ignored)
         run = self.read_json("a.json")
         self.assertTrue(run["interrupted"])
         self.assertGreater(run["mean_xyz"][1], 0)
@@ -319,6 +338,26 @@ class Compare(CommandTest):
         self.photopic("diff", "report/reference.exr", "report/uniform.exr", "--json", "diff.json")
         measured = self.read_json("diff.json")["runs"][0]["mean_delta_e"]
         self.assertAlmostEqual(measured, uniform["mean_delta_e"], places=4)
+
+    def interrupt_after_the_reference(self, *options):
+        """Returns what stderr held after it."""
+        command = [BINARY, "compare", str(self.scene), "--samplers", "uniform", "--spp", str(1 << 24), "--reference-spp",
+                   "4", "--no-cache", *options]  # fmt: skip
+        process = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, text=True, env=self.environment,
+                                   preexec_fn=lambda: start_with_signals(None))  # fmt: skip
+        while "reference, half 2" not in process.stderr.readline():
+            self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=DEADLINE)
+        self.assertEqual(process.returncode, 130, stderr)
+        return stderr
+
+    def test_interrupt_of_the_first_run_keeps_the_reference(self):
+        self.assertIn("--reference report/reference.exr", self.interrupt_after_the_reference("--report", "report"))
+        self.assertEqual({p.name for p in (self.folder / "report").iterdir()}, {"reference.exr", "reference.png"})
+        self.photopic("compare", self.scene, "--reference", "report/reference.exr", "--samplers", "uniform", "--spp", "1",
+                      "--quiet")  # fmt: skip
+        self.assertIn("before there was anything to compare", self.interrupt_after_the_reference())
 
     def test_one_sample_has_no_variance(self):
         out = self.photopic("compare", self.scene, "--samplers", "uniform,visible", "--spp", "1", "--reference-spp", "2",

@@ -2,6 +2,7 @@
 
 import base64
 import json
+import os
 import unittest
 
 from harness import CommandTest
@@ -49,6 +50,21 @@ class Refused(CommandTest):
         self.assert_refused(self.render("--frobnicate"), "frobnicate")
         self.assert_refused(["diff", "one.exr"], "IMAGE")
         self.assert_refused(["compare", self.scene, "--reference", "a.exr", "--reference-spp", "4"], "--reference")
+
+    def test_the_culprit_is_named(self):
+        again = "give {} anew before each value"
+        for arguments, needles in [
+            (["render", "-o", "a.exr", "a.png", self.scene], [f"not expected: {self.scene}", again.format("--output")]),
+            (["render", "--aov", "albedo", "normal", "-o", "a.exr", self.scene], [again.format("--output, --aov")]),
+            (["render", "--emitter", "cie:A", "cie:D65", "-o", "a.exr", self.scene], [again.format("--emitter, --output")]),
+            (["info", self.scene, "b", "c"], ["not expected: b c; see"]),
+            (["render", "--out", "a.exr", self.scene], ["--out: there is no such option (--output?); see"]),
+            (["render", "--frob=1", self.scene], ["--frob: there is no such option; see"]),
+            (["render", self.scene, "a.exr"], ["--output is required"]),
+            (["render", "--", self.scene], ["--output is required"]),
+            (["compare", self.scene, "--sampler", "uniform"], ["--sampler: there is no such option (--samplers?);"]),
+        ]:
+            self.assert_refused(arguments, *needles)
 
     def test_options_given_too_often_or_without_a_value(self):
         for option in ["--spp", "--seed", "--json", "--camera"]:
@@ -182,6 +198,27 @@ class Refused(CommandTest):
         self.assert_refused(["diff", "broken.png", "broken.png"], "broken.png")  # libpng says nothing beside
         self.assert_refused(["compare", self.scene, "--samplers", "uniform,uniform"], "uniform")
         self.assert_refused(["compare", self.scene, "--samplers", "uniform,odd"], "odd")
+
+    def test_what_is_no_file_is_told_apart(self):
+        (self.folder / "folder.exr").mkdir()
+        os.mkfifo(self.folder / "pipe.exr")
+        (self.folder / "locked.exr").write_text("secret")
+        self.photopic(*self.render("--quiet"))
+        for reader in [
+            lambda name: ["info", name],
+            lambda name: ["render", name, "-o", "a.exr"],
+            lambda name: ["diff", "out.exr", name],
+            lambda name: ["compare", self.scene, "--reference", name],
+            lambda name: self.render("--environment", name),
+            lambda name: ["render", self.scene, "-o", "a.exr", "--distribution", name],
+            lambda name: ["optimize", "cie:A", "-o", "d.json", "--reflectances", name],
+        ]:
+            self.assert_refused(reader("missing.exr"), "missing.exr: there is no such file; check its name")
+            self.assert_refused(reader("folder.exr"), "folder.exr: is a folder")
+            self.assert_refused(reader("pipe.exr"), "pipe.exr: is a pipe or device")
+            if os.geteuid() != 0:  # whom nothing is forbidden
+                (self.folder / "locked.exr").chmod(0)
+                self.assert_refused(reader("locked.exr"), "locked.exr: may not be read", "permissions")
 
     def test_a_lamp_without_light_has_no_distribution(self):
         (self.folder / "dark.csv").write_text("400, 0\n700, 0\n")

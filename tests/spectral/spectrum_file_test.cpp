@@ -169,7 +169,12 @@ TEST_F(SpectrumFile, BadRowsAreNamed) {
   expect_error("a.txt", "400 1\n410 1e999\n", "a.txt:2");
   expect_error("a.txt", "400 1\n410 -0.5\n", "a.txt:2: the value -0.5 is negative");
   expect_error("a.txt", "-400 1\n410 1\n", "a.txt:1: the wavelength -400 is not positive");
-  expect_error("a.txt", "0.40 1\n0.70 1\n", "micrometres");
+  expect_error("a.txt", "0.40 1\n0.70 1\n",
+               "look like micrometres (multiply by 1000) or electronvolts (divide 1239.84 by them)");
+  expect_error("a.txt", "3.1 1\n1.6 1\n", "the wavelengths, 1.6 to 3.1, look like micrometres");
+  expect_error("a.txt", "3.8e-7 1\n7.8e-7 1\n", "3.8e-07 to 7.8e-07, look like metres (multiply by 1e9)");
+  expect_error("a.txt", "3800 1\n7800 1\n", "3800 to 7800, look like ångström (divide by 10)");
+  expect_error("a.txt", "1000 1\n12000 1\n", "ångström");
   expect_error("a.txt", "400 1\n", "single row");
   for (const char* empty : {"", "\n\n", "# only a comment\n", "nm value\n"})
     expect_error("a.txt", empty, "no rows");

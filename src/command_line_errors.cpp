@@ -1,0 +1,85 @@
+#include "command_line_errors.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "messages.h"
+
+namespace photopic {
+namespace {
+
+/// The first that looks like an option and is none.
+std::optional<std::string> unknown_option(const CLI::App& command, const std::vector<std::string>& extras) {
+  for (const std::string& extra : extras) {
+    const std::string name = extra.substr(0, extra.find('='));
+    if (name.size() > 1 && name[0] == '-' && command.get_option_no_throw(name) == nullptr) return name;
+  }
+  return std::nullopt;
+}
+
+/// What may have been meant, where the name is the beginning of an option's; else nothing.
+std::string resembling(const CLI::App& command, const std::string& name) {
+  for (const CLI::Option* option : command.get_options())
+    if (option->get_name().starts_with(name)) return fmt::format(" ({}?)", option->get_name());
+  return "";
+}
+
+/// Which of the given options may be repeated: a second value without the option before it is taken for
+/// SCENE, and SCENE then for one too many.
+std::string repeatable(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    if (option->count() > 0 && option->get_expected_max() > 1 && !option->get_allow_extra_args())
+      names.push_back(option->get_name());
+  return names.empty() ? "" : fmt::format("; give {} anew before each value", fmt::join(names, ", "));
+}
+
+/// The problem with an option's number of values, where the parser's words tell little; else its words.
+std::string problem_of_count(const CLI::App& command, const CLI::ParseError& error) {
+  const std::string words = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return words;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!words.starts_with(option->get_name() + ":")) continue;
+    const auto most = static_cast<std::size_t>(option->get_items_expected_max());
+    if (option->count() > most)
+      return fmt::format("{} is given {} times; give it once", option->get_name(), option->count());
+    return fmt::format("{}: its value is missing", option->get_name());
+  }
+  return words;
+}
+
+/// An option that there is not goes before one that is missing: it may be that one, misspelt.
+std::string problem_of(const CLI::App& command, const CLI::ParseError& error) {
+  std::vector<std::string> extras = command.remaining();
+  std::erase(extras, "--");
+  const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  if (extra || dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+    if (const auto name = unknown_option(command, extras))
+      return fmt::format("{}: there is no such option{}", *name, resembling(command, *name));
+  if (!extra) return problem_of_count(command, error);
+  return fmt::format("not expected: {}{}", fmt::join(extras, " "), repeatable(command));
+}
+
+}  // namespace
+
+int explain(const CLI::App& app, const CLI::ParseError& error) {
+  if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty() && app.remaining_size() > 0) {
+    print_error(fmt::format("{}: there is no such command; see photopic --help", app.remaining().front()));
+  } else {
+    const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
+    const std::string problem = problem_of(chosen.empty() ? app : *chosen.front(), error);
+    print_error(fmt::format("{}; see photopic{} --help", problem, name));
+  }
+  return kExitBadInput;
+}
+
+}  // namespace photopic
