@@ -26,6 +26,9 @@ class ShadingMaterial {
   float outside_index(float lambda) const { return outside_ ? outside_->index(lambda) : 1.0f; }
   bool outside_disperses() const { return outside_ && outside_->disperses(); }
 
+  /// Linear sRGB, of a surface whose base colour varies and is not measured.
+  Vec3f base_rgb() const { return surface_.base_rgb(point_); }
+
   /// Reflectance in [0, 1].
   SampledSpectrum<N> base_color() const {
     if (!surface_.base_varies) return sample_spectrum<N>(surface_.base_color, lambda_);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/opaque_bsdf.h"
+#include "core/upsampling_lanes.h"
 
 namespace photopic {
 
@@ -103,6 +104,18 @@ SpectrumLanes<N> colors_one_by_one(const Packet& packet, const ColorOf& color_of
   return to_lanes<N>(colors);
 }
 
+/// @param material_at gives the ShadingMaterial of a lane, whose base colour varies
+template <typename MaterialAt>
+PHOTOPIC_INLINE Vec3Lanes base_rgb_of(const Packet& packet, const MaterialAt& material_at) {
+  std::array<Float4, kLanes> rows{};
+  for (int i = 0; i < packet.count; ++i) {
+    const Vec3f rgb = material_at(i).base_rgb();
+    rows[static_cast<std::size_t>(i)] = Float4{rgb.x, rgb.y, rgb.z};
+  }
+  const auto [r, g, b, rest] = gather_rows<4>([&](int i) { return &rows[static_cast<std::size_t>(i)]; });
+  return {r, g, b};
+}
+
 /// @param material_at gives the ShadingMaterial of a lane @param surface on which all lanes lie, or null
 /// @param lambda_of gives the wavelengths of all lanes [nm]
 template <int N, typename MaterialAt, typename LambdaOf>
@@ -110,7 +123,17 @@ PHOTOPIC_INLINE SpectrumLanes<N> base_colors(const Packet& packet, const Materia
                                              const Surface* surface, const LambdaOf& lambda_of) {
   if (surface != nullptr && !surface->base_varies)
     if (auto color = uniform_color<N>(surface->base_color, lambda_of())) return *color;
+  if (surface != nullptr && surface->base_varies && !surface->base_is_measured)
+    return tabulated_reflectance(base_rgb_of(packet, material_at))(lambda_of());
   return colors_one_by_one<N>(packet, [&](int i) { return material_at(i).base_color(); });
+}
+
+template <int N, typename MaterialAt, typename LambdaOf>
+PHOTOPIC_INLINE SpectrumLanes<N> specular_colors(const Packet& packet, const MaterialAt& material_at,
+                                                 const Surface* surface, const LambdaOf& lambda_of) {
+  if (surface != nullptr && !(surface->textures && surface->textures->specular_color))
+    if (auto color = uniform_color<N>(surface->specular_color, lambda_of())) return *color;
+  return colors_one_by_one<N>(packet, [&](int i) { return material_at(i).specular_color(); });
 }
 
 template <int N, typename MaterialAt, typename LambdaOf>
@@ -122,10 +145,8 @@ OpaqueMaterial<N, Lanes> opaque_materials(const Packet& packet, const MaterialAt
     const OpaqueMaterial<N, float> one = opaque_material(material_at(0));
     m.roughness = Lanes{} + one.roughness, m.metallic = Lanes{} + one.metallic;
     m.specular = Lanes{} + one.specular, m.r0 = Lanes{} + one.r0;
-    if (auto color = uniform_color<N>(surface->specular_color, lambda_of())) {
-      m.specular_color = *color;
-      return m;
-    }
+    m.specular_color = specular_colors<N>(packet, material_at, surface, lambda_of);
+    return m;
   }
   std::array<Float4, kLanes> rows{};
   for (int i = 0; i < packet.count; ++i) {
@@ -135,7 +156,7 @@ OpaqueMaterial<N, Lanes> opaque_materials(const Packet& packet, const MaterialAt
   }
   const auto numbers = gather_rows<4>([&](int i) { return &rows[static_cast<std::size_t>(i)]; });
   m.roughness = numbers[0], m.metallic = numbers[1], m.specular = numbers[2], m.r0 = numbers[3];
-  m.specular_color = colors_one_by_one<N>(packet, [&](int i) { return material_at(i).specular_color(); });
+  m.specular_color = specular_colors<N>(packet, material_at, surface, lambda_of);
   return m;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "spectral/rgb_upsampling.h"
 
 namespace photopic {
@@ -29,6 +31,41 @@ constexpr double node(int i) {
 constexpr int index(int largest, int i, int j, int k) {
   return 3 * (((largest * kSize + i) * kSize + j) * kSize + k);
 }
+
+class Axis {
+ public:
+  /// A cell's first node, and how much of the cell a unit is.
+  struct Cell {
+    float node, per_unit;
+  };
+
+  constexpr Axis() {
+    for (int i = 0; i < kSize; ++i) cells_[i].node = static_cast<float>(rgb_table::node(i));
+    for (int i = 0; i + 1 < kSize; ++i) cells_[i].per_unit = 1.0f / (cells_[i + 1].node - cells_[i].node);
+    cells_[kSize - 1].node = 2.0f;  // nothing lies beyond
+    for (int i = 0; i < kHints; ++i) {
+      int cell = i == 0 ? 0 : hint_[i - 1];
+      while (cells_[cell + 1].node * kHints <= static_cast<float>(i)) ++cell;
+      hint_[i] = static_cast<unsigned char>(cell);
+    }
+  }
+
+  /// The cell that holds x in [0, 1].
+  int find(float x) const {
+    const int cell = hint_[std::min(static_cast<int>(x * kHints), kHints - 1)];
+    return cell + (cells_[cell + 1].node <= x);
+  }
+  const Cell& operator[](int cell) const { return cells_[cell]; }
+
+ private:
+  static constexpr int kHints = 512;
+  static_assert(node(1) > 1.0 / kHints, "there is at most one node between two hints");
+  Cell cells_[kSize]{};
+  unsigned char hint_[kHints]{};  ///< the cell of i/kHints
+};
+inline constexpr Axis kAxis;
+
+extern const float kNodes[];  ///< kCount of them and two more that mean nothing; generated
 
 }  // namespace rgb_table
 }  // namespace photopic

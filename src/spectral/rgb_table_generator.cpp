@@ -33,7 +33,7 @@ void write(std::ostream& out) {
           std::snprintf(line, sizeof line, "%af,%af,%af,\n", double{s.c0}, double{s.c1}, double{s.c2});
           out << line;
         }
-  out << "0.0f};\n}  // namespace photopic::rgb_table\n";  // the last node is read as four numbers
+  out << "0.0f, 0.0f};\n}  // namespace photopic::rgb_table\n";  // the last pair is read as eight numbers
 }
 
 }  // namespace
