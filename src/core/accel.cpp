@@ -96,12 +96,34 @@ void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots
     store(query.ray.tfar, Lanes{} + std::numeric_limits<float>::infinity());
     store(query.hit.geomID, UintLanes{} + RTC_INVALID_GEOMETRY_ID);
     tree_->intersect(valid.data(), query, coherent);
-    for (int i = 0; i < packet.count; ++i) {
-      const auto& hit = query.hit;
-      hits[packet[i]] =
-          make_hit(hit.geomID[i], hit.primID[i], hit.instID[0][i], hit.u[i], hit.v[i], query.ray.tfar[i]);
-    }
+    store_hits(query, packet, hits);
   }
+}
+
+/// make_hit of each, where there are no instances for all at once.
+template <typename Query>
+void Accel::store_hits(const Query& query, const Packet& slots, std::span<Hit> hits) const {
+  const auto& hit = query.hit;
+  if (!first_shape_.empty() || ranges_.empty()) {
+    for (int i = 0; i < slots.count; ++i)
+      hits[slots[i]] =
+          make_hit(hit.geomID[i], hit.primID[i], hit.instID[0][i], hit.u[i], hit.v[i], query.ray.tfar[i]);
+    return;
+  }
+  const auto shape = load<UintLanes>(hit.geomID), primitive = load<UintLanes>(hit.primID);
+  const IntLanes missed = shape == RTC_INVALID_GEOMETRY_ID;
+  const UintLanes known = missed ? UintLanes{} : shape;
+  const auto [first, pairs] = gather_rows<2>([&](int i) { return &ranges_[lane(known, i)]; });
+  const auto place =
+      PrimitiveRange::locate(reinterpret_cast<UintLanes>(first), reinterpret_cast<UintLanes>(pairs),
+                             primitive, load<Lanes>(hit.u), load<Lanes>(hit.v));
+  const auto bits = [](UintLanes v) { return reinterpret_cast<Lanes>(v); };
+  const UintLanes nothing = UintLanes{} + kNoHit;
+  const auto rows = rows_of(std::array<Lanes, 8>{bits(shape), bits(missed ? nothing : place.triangle),
+                                                 bits(UintLanes{} + kNoInstance), place.u, place.v,
+                                                 load<Lanes>(query.ray.tfar), Lanes{}, Lanes{}});
+  const auto by_lane = std::bit_cast<std::array<Hit, kLanes>>(rows);
+  for (int i = 0; i < slots.count; ++i) hits[slots[i]] = by_lane[static_cast<std::size_t>(i)];
 }
 
 void Accel::occluded(const RayArray& rays, std::span<const std::uint32_t> slots,

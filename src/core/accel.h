@@ -27,8 +27,8 @@ struct RayArray {
 
 inline constexpr std::uint32_t kNoHit = ~0u, kNoInstance = ~0u;
 
-/// Where a ray meets a triangle.
-struct Hit {
+/// Where a ray meets a triangle. Half a line of memory, which is written as one.
+struct alignas(32) Hit {
   std::uint32_t shape = kNoHit;
   std::uint32_t triangle = kNoHit;       ///< index into Geometry::triangles
   std::uint32_t instance = kNoInstance;  ///< index into Geometry::instances, if the shape is a prototype's
@@ -78,6 +78,9 @@ class Accel {
   /// Of Embree's numbers.
   Hit make_hit(std::uint32_t geometry, std::uint32_t primitive, std::uint32_t instance, float u, float v,
                float t) const;
+
+  template <typename Query>
+  void store_hits(const Query& query, const Packet& slots, std::span<Hit> hits) const;
 
   std::unique_ptr<const Tree> tree_;
   std::vector<PrimitiveRange> ranges_;      ///< of each shape

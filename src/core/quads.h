@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/lanes.h"
 #include "core/scene.h"
 
 namespace photopic {
@@ -18,16 +19,23 @@ struct PrimitiveRange {
   std::uint32_t first_triangle = 0;
   std::uint32_t pairs = 0;  ///< the first primitives are two triangles each
 
+  /// Of one hit, or of 16.
+  template <typename U, typename T>
   struct Place {
-    std::uint32_t triangle;  ///< index into Geometry::triangles
-    float u, v;              ///< barycentric coordinates of its second and third corner
+    U triangle;  ///< index into Geometry::triangles
+    T u, v;      ///< barycentric coordinates of its second and third corner
   };
+  /// @param first, pairs a range's numbers
   /// @param u and v as Embree has them: across a quadrilateral from its corner 0 to 1 and to 3
-  Place locate(std::uint32_t primitive, float u, float v) const {
-    if (primitive >= pairs) return {first_triangle + pairs + primitive, u, v};
-    const bool second = u + v > 1.0f;
-    return {first_triangle + 2 * primitive + (second ? 1u : 0u), second ? 1.0f - u : u,
-            second ? 1.0f - v : v};
+  template <typename U, typename T>
+  static Place<U, T> locate(U first, U pairs, U primitive, T u, T v) {
+    const auto second = (primitive < pairs) & (u + v > 1.0f);
+    const U in_pair = 2u * primitive + (second ? U{} + 1u : U{});
+    return {first + (primitive < pairs ? in_pair : pairs + primitive), select(second, 1.0f - u, u),
+            select(second, 1.0f - v, v)};
+  }
+  Place<std::uint32_t, float> locate(std::uint32_t primitive, float u, float v) const {
+    return locate(first_triangle, pairs, primitive, u, v);
   }
 };
 

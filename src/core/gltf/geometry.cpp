@@ -49,6 +49,7 @@ class GeometryLoader {
     }
     for (const auto& [prototype, place] : plan_.instances)
       append_instance(prototype, plan_.places[place].to_world);
+    if (plan_.normals && is_flat()) geometry_.normals = {};
     plan_.tally.report(scene_.warnings);
   }
 
@@ -188,6 +189,18 @@ class GeometryLoader {
       shapes.back().triangle_count += count;
     else
       shapes.push_back({first, count, part.material});
+  }
+
+  /// Whether all normals are the triangles' own, but for rounding.
+  bool is_flat() const {
+    constexpr double kRounding = 1e-5;  // [rad]
+    return std::ranges::all_of(geometry_.triangles, [&](const Triangle& t) {
+      const auto corner = [&](std::size_t k) { return to_double(geometry_.positions[t[k]]); };
+      const Vec3d own = cross(corner(1) - corner(0), corner(2) - corner(0));
+      return std::ranges::all_of(t, [&](std::uint32_t i) {
+        return length(cross(own, to_double(geometry_.normals[i]))) <= kRounding * length(own);
+      });
+    });
   }
 
   void append_instance(std::uint32_t prototype, Affine to_world) {
