@@ -2,12 +2,8 @@
 
 #include <limits>
 
-#include "core/conductor_bsdf.h"
-#include "core/glass_bsdf.h"
-#include "core/layered_bsdf.h"
-#include "core/opaque_bsdf.h"
-#include "core/spectral_glass_bsdf.h"
 #include "integrator/vertex.h"
+#include "integrator/with_bsdf.h"
 #include "spectral/rgb_light.h"
 
 namespace photopic {
@@ -102,32 +98,12 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     const Sample2d u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
     const Vec3f wo = -ray.direction;
     const Surface* outside = surface_of(scene_, media.outside());
+    const BsdfKind kind = ShadingMaterial<N>(surface, lambda, {scene_.scene.geometry, hit}, outside)
+                              .choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)));
     std::optional<Step<N>> next;
-    switch (ShadingMaterial<N>(surface, lambda, {scene_.scene.geometry, hit}, outside)
-                .choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)))) {
-      case BsdfKind::diffuse:
-        next =
-            step(Vertex<N, DiffuseBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);
-        break;
-      case BsdfKind::opaque:
-        next = step(Vertex<N, OpaqueBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);
-        break;
-      case BsdfKind::conductor:
-        next =
-            step(Vertex<N, ConductorBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);
-        break;
-      case BsdfKind::layered:
-        next =
-            step(Vertex<N, LayeredBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);
-        break;
-      case BsdfKind::glass:
-        next = step(Vertex<N, GlassBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);
-        break;
-      case BsdfKind::spectral_glass:
-        next = step(Vertex<N, SpectralGlassBsdf<N>>(scene_, hit, wo, lambda, throughput, outside), media,
-                    u_lobe, u);
-        break;
-    }
+    with_bsdf<N>(kind, [&]<typename Bsdf>(std::type_identity<Bsdf>) {
+      next = step(Vertex<N, Bsdf>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);
+    });
     if (!next) break;
     throughput *= next->weight;
     stats_.split_paths += next->split;

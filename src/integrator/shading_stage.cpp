@@ -1,27 +1,19 @@
 #include "integrator/shading_stage.h"
 
-#include "core/conductor_bsdf.h"
-#include "core/glass_bsdf.h"
-#include "core/layered_bsdf.h"
-#include "core/opaque_bsdf.h"
-#include "core/spectral_glass_bsdf.h"
+#include "integrator/with_bsdf.h"
 
 namespace photopic {
 
 template <int N, Features kHas>
 std::uint64_t ShadingStage<N, kHas>::shade(PathBatch<N>& batch, int depth, StageWatch* watch) {
   std::uint64_t split = 0;
-  const auto shade_all = [&]<typename Bsdf>(BsdfKind kind, std::type_identity<Bsdf>) {
-    if (batch.by_kind[static_cast<std::size_t>(kind)].empty()) return;
-    split += shade<Bsdf>(batch, kind, depth);
+  for (int k = 0; k < kBsdfKinds; ++k) {
+    const auto kind = static_cast<BsdfKind>(k);
+    if (batch.by_kind[static_cast<std::size_t>(k)].empty()) continue;
+    with_bsdf<N>(kind,
+                 [&]<typename Bsdf>(std::type_identity<Bsdf>) { split += shade<Bsdf>(batch, kind, depth); });
     if (watch) watch->after(shading_stage(kind));
-  };
-  shade_all(BsdfKind::diffuse, std::type_identity<DiffuseBsdf<N>>{});
-  shade_all(BsdfKind::opaque, std::type_identity<OpaqueBsdf<N>>{});
-  shade_all(BsdfKind::conductor, std::type_identity<ConductorBsdf<N>>{});
-  shade_all(BsdfKind::layered, std::type_identity<LayeredBsdf<N>>{});
-  shade_all(BsdfKind::glass, std::type_identity<GlassBsdf<N>>{});
-  shade_all(BsdfKind::spectral_glass, std::type_identity<SpectralGlassBsdf<N>>{});
+  }
   return split;
 }
 
