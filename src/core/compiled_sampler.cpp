@@ -10,7 +10,7 @@ namespace photopic {
 namespace {
 
 constexpr double kQuanta = 0x1p32;  ///< of u
-constexpr int kMostStepBits = 14;
+constexpr int kMostStepBits = 14;   ///< a larger guide would be further away than a search takes
 
 /// Every sampler in one form: densities q_k on t, all with the same knots, over a base.
 struct Form {

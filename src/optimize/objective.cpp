@@ -88,7 +88,7 @@ double EstimateLoss::asymptotic(std::span<Channels> estimates) const {
     const Matrix& form = forms_[m];
     double variance = 0.0;
     for (int a = 0; a < kChannels; ++a) variance += dot(form[a], covariance[a]);
-    if (!(variance > kNoVariance)) continue;  // black has none, and the root no derivative there
+    if (variance <= kNoVariance) continue;  // black has none, and the root no derivative there
     const double deviation = std::sqrt(variance);
     value += weights_[m] * deviation;
     for (int a = 0; a < kChannels; ++a) by_covariance[a] += 0.5 * weights_[m] / deviation * form[a];
