@@ -37,7 +37,7 @@ std::optional<int> standard_stream(const fs::path& file) {
 bool is_special(const fs::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
-  return fs::exists(status) && !fs::is_regular_file(status);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
 fs::path folder_of(const fs::path& file) {

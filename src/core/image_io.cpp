@@ -36,6 +36,11 @@ Encoding encoding_of(const std::filesystem::path& file) {
   return Encoding::unknown;
 }
 
+void check_ending(const std::filesystem::path& file) {
+  if (encoding_of(file) == Encoding::unknown)
+    throw InputError(file.string(), "the ending is not one of .exr, .hdr, .png, .jpg", "name the image so");
+}
+
 std::string reason(const std::string& text) {
   return text.empty() ? "unknown reason" : without_controls(text);
 }
@@ -182,9 +187,7 @@ bool is_image(const std::filesystem::path& file) {
 }
 
 void check_writable_image(const std::filesystem::path& file) {
-  if (!is_image(file)) {
-    throw InputError(file.string(), "the ending is not one of .exr, .hdr, .png, .jpg", "name the image so");
-  }
+  check_ending(file);
   check_writable_file(file);
 }
 
@@ -207,7 +210,7 @@ bool is_exr(const std::filesystem::path& file) {
 
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
                  double exposure_ev, const std::vector<ImageLayer>& layers) {
-  check_writable_image(file);
+  check_ending(file);
   check_image_size(file, image.width, image.height);
   const bool exr = is_exr(file), convert = image.space == ColorSpace::xyz && !exr;
   MemoryFile memory;

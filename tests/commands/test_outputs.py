@@ -139,18 +139,22 @@ class WhereTheyLead(OutputTest):
         self.assert_refused(self.render("-o", "closed/a.exr"), "closed/a.exr", "Permission denied")
 
     def test_what_cannot_take_its_place_is_kept(self):
-        """A folder that appears under the file's name meanwhile."""
-        command = [BINARY, *map(str, self.render("-o", "a.exr", "--spp", "64", size="128x128"))]
+        """A folder that appears under the file's name while the image before it, too large for the pipe, waits."""
+        os.mkfifo(self.folder / "first.exr")
+        command = [BINARY, *map(str, self.render("-o", "first.exr", "-o", "a.exr", size="256x256"))]
         process = subprocess.Popen(command, cwd=self.folder, env=self.environment, stderr=subprocess.PIPE, text=True)
-        (self.folder / "a.exr").mkdir()
-        (self.folder / "a.exr/occupied").touch()
+        with open(self.folder / "first.exr", "rb") as pipe:
+            (self.folder / "a.exr").mkdir()
+            (self.folder / "a.exr/occupied").touch()
+            first = pipe.read()
         error = process.communicate(timeout=DEADLINE)[1]
         self.assertEqual(process.returncode, 1)
-        if "cannot be replaced" in error:  # else it was seen before the render
-            kept = [path for path in self.folder.iterdir() if ".partial" in path.name]
-            self.assertEqual(len(kept), 1)
-            self.assertIn(str(kept[0].name), error)
-            self.assertEqual(kept[0].read_bytes()[:4], b"\x76\x2f\x31\x01")
+        self.assertGreater(len(first), 1 << 17)
+        self.assertIn("a.exr: cannot be replaced", error)
+        kept = [path for path in self.folder.iterdir() if ".partial" in path.name]
+        self.assertEqual(len(kept), 1)
+        self.assertIn(kept[0].name, error)
+        self.assertEqual(kept[0].read_bytes()[:4], first[:4])
 class BrokenStderr(OutputTest):
     """Nobody can be told, but the work is done all the same."""
 
