@@ -19,10 +19,6 @@ Vector load(const void* numbers) {
   std::memcpy(&vector, numbers, sizeof vector);
   return vector;
 }
-template <typename Vector>
-void store(void* numbers, Vector vector) {
-  std::memcpy(numbers, &vector, sizeof vector);
-}
 
 /// The square root of each.
 template <typename Vector>
@@ -85,19 +81,6 @@ inline Float8 join(Float4 a, Float4 b) {
 }
 inline Float16 join(Float8 a, Float8 b) {
   return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
-}
-
-/// The transpose of four rows of four.
-template <typename Four>
-inline void transpose(Four& a, Four& b, Four& c, Four& d) {
-  const Four ab_low = __builtin_shufflevector(a, b, 0, 4, 2, 6);
-  const Four ab_high = __builtin_shufflevector(a, b, 1, 5, 3, 7);
-  const Four cd_low = __builtin_shufflevector(c, d, 0, 4, 2, 6);
-  const Four cd_high = __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
-  b = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
-  c = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
-  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
 }  // namespace photopic

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <random>
 #include <string>
@@ -45,6 +47,15 @@ inline Xyz mean_estimate(const WavelengthSampler& sampler, const TabulatedSpectr
     }
   }
   return mean * (1.0 / Observer::cie1931().y_integral());
+}
+
+/// Each of X, Y and Z that there is, relatively.
+inline void expect_same_xyz(const Xyz& found, const Xyz& wanted, double tolerance, const std::string& what) {
+  EXPECT_NEAR(found.x / wanted.x, 1.0, tolerance) << what;
+  EXPECT_NEAR(found.y / wanted.y, 1.0, tolerance) << what;
+  if (wanted.z > 0.0) {
+    EXPECT_NEAR(found.z / wanted.z, 1.0, tolerance) << what;
+  }
 }
 
 /// N densities of random nodes, rough or smooth, randomly oriented.
