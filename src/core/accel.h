@@ -23,6 +23,10 @@ struct RayArray {
   void set(std::size_t i, const Ray& ray, float t_max = std::numeric_limits<float>::infinity()) {
     origin.set(i, ray.origin), direction.set(i, ray.direction, t_max);
   }
+  /// Of nearest hits, which know no t_max.
+  PHOTOPIC_INLINE void scatter(const Packet& p, const RayLanes& rays) {
+    origin.scatter(p, rows_of(rays.origin)), direction.scatter(p, rows_of(rays.direction));
+  }
 };
 
 inline constexpr std::uint32_t kNoHit = ~0u, kNoInstance = ~0u;

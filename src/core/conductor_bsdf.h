@@ -17,7 +17,7 @@ class ConductorBsdf {
 
   ConductorBsdf(const ShadingMaterial<N>& m, Vec3f wo)
       : wo_(wo), ggx_{sqr(m.roughness())}, fresnel_(measured(m)) {
-    if (mirror() || wo.z <= 0.0f) return;
+    if (is_delta() || wo.z <= 0.0f) return;
     const FresnelAlbedo& table = FresnelAlbedo::table();
     const FresnelAlbedo::Weights e = table.directional(wo.z, m.roughness());
     const FresnelAlbedo::Weights average = table.average(m.roughness());
@@ -41,8 +41,11 @@ class ConductorBsdf {
     return SpectralFresnel<N>::conductor(n, k);
   }
 
+  /// Whether light comes from single directions alone, so that evaluate() has nothing.
+  bool is_delta() const { return ggx_.alpha < kSmoothAlpha; }
+
   BsdfValue<N> evaluate(Vec3f wi) const {
-    if (wi.z <= 0.0f || wo_.z <= 0.0f || mirror()) return {};
+    if (wi.z <= 0.0f || wo_.z <= 0.0f || is_delta()) return {};
     const Vec3f m = normalize(wo_ + wi);
     const float d = ggx_.d(m) / (4.0f * wo_.z), cosine = cosine_hemisphere_pdf(wi.z);
     const float missing = FresnelAlbedo::table().directional(wi.z, roughness_).missing;
@@ -52,7 +55,7 @@ class ConductorBsdf {
 
   std::optional<BsdfSample<N>> sample(float u_lobe, Sample2d u) const {
     if (wo_.z <= 0.0f) return {};
-    if (mirror()) return BsdfSample<N>{{-wo_.x, -wo_.y, wo_.z}, fresnel_(wo_.z), 0.0f, true};
+    if (is_delta()) return BsdfSample<N>{{-wo_.x, -wo_.y, wo_.z}, fresnel_(wo_.z), 0.0f, true};
     const Vec3f wi =
         u_lobe < bounce_probability_ ? reflect(wo_, ggx_.sample_visible(wo_, u)) : grazing_.sample(u);
     const BsdfValue<N> value = evaluate(wi);
@@ -61,8 +64,6 @@ class ConductorBsdf {
   }
 
  private:
-  bool mirror() const { return ggx_.alpha < kSmoothAlpha; }
-
   Vec3f wo_;
   Ggx ggx_;
   GrazingLobe grazing_;

@@ -27,14 +27,19 @@ class GlassBsdf {
         eta_(!solid_ || side_ > 0.0f ? ior_ : 1.0f / ior_),
         specular_{m.specular(), m.specular()},
         tint_(m.base_color()) {
-    if (smooth() || wo_.z == 0.0f) return;
+    if (is_delta() || wo_.z == 0.0f) return;
     g1_ = ggx_.g1(wo_);
     further_ = further(m);
   }
 
+  /// Whether light comes from single directions alone, so that evaluate() has nothing.
+  bool is_delta() const {
+    return ggx_.alpha < kSmoothAlpha || (solid_ && ior_ != 0.0f && is_index_matched(ior_));
+  }
+
   BsdfValue<N> evaluate(Vec3f wi) const {
     wi.z *= side_;
-    if (smooth() || wo_.z == 0.0f || wi.z == 0.0f) return {};
+    if (is_delta() || wo_.z == 0.0f || wi.z == 0.0f) return {};
     if (wi.z > 0.0f) return with_further(evaluate_reflection(wi), wi);
     if (ior_ == 0.0f) return {};
     return with_further(solid_ ? evaluate_refraction(wi) : evaluate_passage(wi), wi);
@@ -44,11 +49,11 @@ class GlassBsdf {
     if (wo_.z == 0.0f) return {};
     if (u_lobe < further_.missing) return sample_further(u_lobe / further_.missing, u);
     u_lobe = std::min((u_lobe - further_.missing) / (1.0f - further_.missing), 0x1.fffffep-1f);
-    const Vec3f m = smooth() ? Vec3f{0, 0, 1} : ggx_.sample_visible(wo_, u);
+    const Vec3f m = is_delta() ? Vec3f{0, 0, 1} : ggx_.sample_visible(wo_, u);
     const float f = reflectance(dot(wo_, m));
 
     BsdfSample<N> s;
-    s.delta = smooth();
+    s.delta = is_delta();
     const bool reflected = u_lobe < f;
     if (reflected || !solid_) {
       s.wi = reflect(wo_, m);
@@ -79,10 +84,6 @@ class GlassBsdf {
   }
 
  private:
-  bool smooth() const {
-    return ggx_.alpha < kSmoothAlpha || (solid_ && ior_ != 0.0f && is_index_matched(ior_));
-  }
-
   float reflectance(float cos_i) const {
     if (ior_ == 0.0f) return 1.0f;
     const float f = specular_.scaled(fresnel_dielectric(cos_i, eta_), cos_i, eta_);

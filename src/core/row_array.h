@@ -25,6 +25,9 @@ class RowArray {
   void set(std::size_t i, const Vec4f& row) { rows_[i] = row; }
   void set(std::size_t i, Vec3f v, float w = 0) { rows_[i] = {v.x, v.y, v.z, w}; }
   void set_w(std::size_t i, float w) { rows_[i].w = w; }
+  PHOTOPIC_INLINE void scatter(const Packet& p, const std::array<Vec4f, kLanes>& rows) {
+    for (int i = 0; i < p.count; ++i) rows_[p[i]] = rows[static_cast<std::size_t>(i)];
+  }
 
   /// x, y, z and w.
   PHOTOPIC_INLINE std::array<Lanes, 4> gather(const Packet& p) const {

@@ -120,6 +120,9 @@ class BasicSampleStream {
   /// All 32 bits, in the middle of their intervals: for choices that 24 bits are too coarse for.
   double get_1d_fine(std::uint32_t dimension) const { return fine(bits(dimension)); }
   static double fine(std::uint32_t bits) { return (bits + 0.5) * 0x1p-32; }
+  static DoubleLanes fine(UintLanes bits) {
+    return (__builtin_convertvector(bits, DoubleLanes) + 0.5) * 0x1p-32;
+  }
 
   PHOTOPIC_INLINE BasicSample2d<Float> get_2d(std::uint32_t dimension) const {
     const U hash = hash_of(dimension);

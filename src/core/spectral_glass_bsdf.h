@@ -29,11 +29,11 @@ class SpectralGlassBsdf {
         ggx_{sqr(m.roughness())},
         solid_(m.surface().solid),
         tint_(m.base_color()),
-        reflectance_(m, side_ < 0.0f, !smooth()) {
+        reflectance_(m, side_ < 0.0f, !is_delta()) {
     const float total = throughput.sum();
     for (int j = 0; j < N; ++j) q_.v[j] = total == 0.0f ? 1.0f / N : throughput[j] / total;
     disperses_ = solid_ && (m.surface().disperses() || m.outside_disperses());
-    if (smooth() || wo_.z == 0.0f) return;
+    if (is_delta() || wo_.z == 0.0f) return;
     g1_ = ggx_.g1(wo_);
     for (int j = 0; j < N; ++j) {
       further_[static_cast<std::size_t>(j)] = further(m, j);
@@ -41,9 +41,12 @@ class SpectralGlassBsdf {
     }
   }
 
+  /// Whether light comes from single directions alone, so that evaluate() has nothing.
+  bool is_delta() const { return ggx_.alpha < kSmoothAlpha; }
+
   BsdfValue<N> evaluate(Vec3f wi) const {
     wi.z *= side_;
-    if (smooth() || wo_.z == 0.0f || wi.z == 0.0f) return {};
+    if (is_delta() || wo_.z == 0.0f || wi.z == 0.0f) return {};
     if (wi.z > 0.0f) return with_further(evaluate_mirrored(wi, true), wi);
     if (solid_) return with_further(evaluate_refraction(wi), wi);
     return with_further(evaluate_mirrored({wi.x, wi.y, -wi.z}, false), wi);
@@ -56,7 +59,7 @@ class SpectralGlassBsdf {
                  : sample_one(std::min((u_lobe - p_further_) / (1.0f - p_further_), 0x1.fffffep-1f), u);
     if (!s) return {};
     s->wi.z *= side_;
-    if (!smooth()) {
+    if (!is_delta()) {
       const BsdfValue<N> value = evaluate(s->wi);
       if (value.pdf == 0.0f) return {};
       s->delta = s->split = false;
@@ -66,12 +69,11 @@ class SpectralGlassBsdf {
   }
 
  private:
-  bool smooth() const { return ggx_.alpha < kSmoothAlpha; }
   float eta(int j) const { return reflectance_.eta(j); }
 
   /// One bounce or passage. @param u_lobe uniform
   std::optional<BsdfSample<N>> sample_one(float u_lobe, Sample2d u) const {
-    const Vec3f m = smooth() ? Vec3f{0, 0, 1} : ggx_.sample_visible(wo_, u);
+    const Vec3f m = is_delta() ? Vec3f{0, 0, 1} : ggx_.sample_visible(wo_, u);
     const SampledSpectrum<N> f = reflectance_(dot(wo_, m));
     const float reflected = (q_ * f).sum();
     if (u_lobe < reflected) return bounce(m, f / reflected);

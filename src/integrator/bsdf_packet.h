@@ -26,6 +26,16 @@ class OneByOne {
     for (int i = 0; i < packet.count; ++i) bsdf_[static_cast<std::size_t>(i)].emplace(make(i));
   }
 
+  /// Whether no lane has a value to evaluate.
+  bool are_delta(const Packet& packet) const {
+    if constexpr (requires(const Bsdf& b) { b.is_delta(); }) {
+      for (int i = 0; i < packet.count; ++i)
+        if (!bsdf_of(i).is_delta()) return false;
+      return true;
+    }
+    return false;
+  }
+
   /// @param asked mask of the lanes whose value matters; the others' are zero
   BasicBsdfValue<N, Lanes> evaluate(const Vec3Lanes& wi, IntLanes asked) const {
     LaneSpectra<N> f_cos{};
@@ -63,6 +73,8 @@ template <int N, typename Bsdf>
 class InLanes {
  public:
   InLanes(const auto& material, const Vec3Lanes& wo) : bsdf_(material, wo) {}
+
+  bool are_delta(const Packet&) const { return false; }
 
   BasicBsdfValue<N, Lanes> evaluate(const Vec3Lanes& wi, IntLanes asked) const {
     BasicBsdfValue<N, Lanes> value = bsdf_.evaluate(wi);

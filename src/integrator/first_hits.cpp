@@ -68,12 +68,7 @@ class FirstHitTracer {
       const Packet packet(slots_, first);
       const UintLanes pixels = UintLanes{} + pixel;
       const SampleStreamLanes stream(sequence, UintLanes{} + seed, pixels, gather(slots_.begin(), packet));
-      const RayLanes rays = camera_rays(scene_.scene.camera, pixels, stream);
-      const auto origins = rows_of(rays.origin), directions = rows_of(rays.direction);
-      for (int i = 0; i < packet.count; ++i) {
-        rays_.origin.set(packet[i], origins[static_cast<std::size_t>(i)]);
-        rays_.direction.set(packet[i], directions[static_cast<std::size_t>(i)]);
-      }
+      rays_.scatter(packet, camera_rays(scene_.scene.camera, pixels, stream));
     }
   }
 

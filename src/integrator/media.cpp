@@ -68,6 +68,7 @@ void PathMedia::look_out(std::span<const Surface> surfaces, std::uint32_t materi
 }
 
 void PathMedia::meet(std::span<const Surface> surfaces, Boundary alone) {
+  in_the_open_ = false;
   believed_ = here_.current(), beyond_ = here_;
   alone.from_inside ? look_out(surfaces, alone.material) : look_in(surfaces, alone.material);
   if (!crossed_) believed_ = here_.current();
@@ -78,6 +79,7 @@ void PathMedia::meet(std::span<const Surface> surfaces, Boundary alone) {
 }
 
 const Contact::Face& PathMedia::meet(std::span<const Surface> surfaces, const Contact& contact) {
+  in_the_open_ = false;
   believed_ = here_.current(), beyond_ = here_;
   for (const Contact::Face& f : contact.solids())
     if (f.boundary.from_inside) look_out(surfaces, f.boundary.material);

@@ -58,10 +58,15 @@ class PathMedia {
   void meet(std::span<const Surface> surfaces, Boundary alone);
   /// or one that bounds no medium.
   void meet_screen() {
+    if (in_the_open_) return;
     believed_ = here_.current(), beyond_ = here_;
     outside_ = kVacuum, front_ = back_ = 0.0f;
     from_inside_ = hidden_ = false;
+    in_the_open_ = here_.current() == kVacuum;
   }
+  /// Whether the path is outside all media and what it met last bounds none: to meet a screen changes
+  /// nothing.
+  bool in_the_open() const { return in_the_open_; }
 
   /// Whether the path goes on through what it met as if there were nothing: the same medium lies on both
   /// sides.
@@ -108,10 +113,11 @@ class PathMedia {
   const Contact::Face& interface(std::span<const Surface> surfaces, const Contact& contact) const;
   void see(const Contact::Face& face, const Contact& contact);
 
-  MediaStack here_, beyond_;
+  bool in_the_open_ = false, hidden_ = false, from_inside_ = false, crossed_ = false, overflowed_ = false,
+       slipped_ = false;
   std::int32_t outside_ = kVacuum, believed_ = kVacuum;
   float front_ = 0, back_ = 0;  ///< how far the place reaches there [m]; 0: no further than rounding
-  bool from_inside_ = false, hidden_ = false, crossed_ = false, overflowed_ = false, slipped_ = false;
+  MediaStack here_, beyond_;
 };
 
 /// Whether a path can be in a medium at all.
@@ -133,13 +139,18 @@ void attenuate(SampledSpectrum<N>& radiance, const PreparedScene& scene, std::in
     radiance *= glass->transmittance(lambda, distance);
 }
 
+/// Whether what a ray hit bounds no medium, and nothing touches it there.
+inline bool is_lone_screen(const PreparedScene& scene, const Hit& hit) {
+  return !scene.shapes[hit.shape].encloses && !touches(scene, hit);
+}
+
 /// PathMedia::meet with all that lies where a ray hits something. @param hit becomes one of what shades
 void meet_place(PathMedia& media, const PreparedScene& scene, Hit& hit, Vec3f direction);
 inline void meet(PathMedia& media, const PreparedScene& scene, Hit& hit, Vec3f direction) {
-  if (scene.shapes[hit.shape].encloses || touches(scene, hit))
-    meet_place(media, scene, hit, direction);
-  else
+  if (is_lone_screen(scene, hit))
     media.meet_screen();
+  else
+    meet_place(media, scene, hit, direction);
 }
 
 /// Where a path took itself to be in another medium than it was, it slipped in somewhere unrefracted: what

@@ -11,6 +11,7 @@ template <int N, Features kHas>
 bool PathTracer<N, kHas>::travel(std::uint32_t slot) {
   Hit& hit = batch_.hits[slot];
   PathMedia& media = batch_.media[slot];
+  if (media.in_the_open() && is_lone_screen(scene_, hit)) return true;
   const SampledSpectrum<N> lambda = batch_.wavelengths[slot].lambda;
   attenuate(batch_.throughput[slot], scene_, media.current(), lambda, hit.t);
   meet(media, scene_, hit, batch_.rays.direction[slot]);

@@ -6,11 +6,6 @@
 namespace photopic {
 namespace {
 
-/// Roulette spares the first bounces, which carry most of the light, and after them paths whose throughput is
-/// one over kSpared or more: docs/benchmarks.md has the figures.
-constexpr int kRouletteDepth = 3;
-constexpr float kSpared = 1.5f;
-
 /// Enough to tell materials apart.
 constexpr std::size_t kBucketsPerKind = 16;
 constexpr std::size_t kBuckets = kBucketsPerKind * kBsdfKinds;
@@ -59,8 +54,6 @@ void PathTracer<N, kHas>::advance(std::span<const PathKey> paths) {
     stats_.split_paths += shading_.shade(batch_, depth, watch_);
     trace_shadow_rays();
     done(kStageShadow);
-    roulette(depth);
-    done(kStageRoulette);
   }
 }
 
@@ -109,11 +102,9 @@ void PathTracer<N, kHas>::set_emissions(const Packet& packet, std::size_t e, con
 
 template <int N, Features kHas>
 void PathTracer<N, kHas>::leave_camera(const Packet& packet, const RayLanes& rays) {
-  const auto origins = rows_of(rays.origin), directions = rows_of(rays.direction);
+  batch_.rays.scatter(packet, rays);
   for (int i = 0; i < packet.count; ++i) {
     const std::uint32_t slot = packet[i];
-    batch_.rays.origin.set(slot, origins[static_cast<std::size_t>(i)]);
-    batch_.rays.direction.set(slot, directions[static_cast<std::size_t>(i)]);
     batch_.throughput[slot] = SampledSpectrum<N>(1.0f);
     batch_.radiance[slot] = SampledSpectrum<N>(0.0f);
     batch_.vertex.set_w(slot, 0.0f);
@@ -224,26 +215,6 @@ void PathTracer<N, kHas>::trace_shadow_rays() {
     batch_.radiance[slot] +=
         batch_.shadow_radiance[slot] *
         through_panes(scene_, rays[slot], rays.t_max(slot), batch_.wavelengths[slot].lambda);
-  }
-}
-
-/// Ends paths with the probability 1 − 1.5 max β: the brightest wavelength decides, so none is thrown away
-/// that counts.
-template <int N, Features kHas>
-void PathTracer<N, kHas>::roulette(int depth) {
-  if (depth < kRouletteDepth) return;
-  const std::span<const std::uint32_t> slots(batch_.active);
-  batch_.active.clear();  // its numbers stay until they are read: no more are written than were
-  for (std::size_t first = 0; first < slots.size(); first += kLanes) {
-    const Packet packet(slots, first);
-    const Lanes u = batch_.stream.gather(packet).get_1d(bounce_dimension(depth, kRoulette));
-    Lanes survival = kSpared * gather(batch_.throughput.data(), packet).max();
-    if (kHas.media) survival *= gather(batch_.eta_scale.data(), packet);
-    const Lanes gain = select(survival < 1.0f, 1.0f / survival, Lanes{} + 1.0f);
-    for_each_lane(~(u >= survival) & packet.used(), [&](int i) {
-      batch_.throughput[packet[i]] *= lane(gain, i);
-      batch_.active.push(packet[i]);
-    });
   }
 }
 

@@ -45,7 +45,6 @@ class PathTracer {
   void sort_by_bsdf(int depth);
   void prefetch_texels();
   void trace_shadow_rays();
-  void roulette(int depth);
   /// A path whose last ray could not be traced is lost, whatever it had gathered.
   bool is_lost(std::size_t slot) const { return !is_traceable(batch_.rays[slot]); }
   void finish(std::span<const PathKey> paths, Film& film);

@@ -3,6 +3,22 @@
 #include "integrator/with_bsdf.h"
 
 namespace photopic {
+namespace {
+
+/// Roulette spares the first bounces, which carry most of the light, and after them paths whose throughput is
+/// one over kSpared or more: docs/benchmarks.md has the figures.
+constexpr int kRouletteDepth = 3;
+constexpr float kSpared = 1.5f;
+
+/// What paths gain that go on, 0 where they end: with the probability 1 − 1.5 max β, as the brightest
+/// wavelength decides, so that none is thrown away that counts. @param eta_scale see PathBatch
+template <int N>
+Lanes roulette_gain(const SpectrumLanes<N>& throughput, Lanes eta_scale, Lanes u) {
+  const Lanes survival = kSpared * throughput.max() * eta_scale, one = Lanes{} + 1.0f;
+  return select(u >= survival, Lanes{}, select(survival < 1.0f, one / survival, one));
+}
+
+}  // namespace
 
 template <int N, Features kHas>
 std::uint64_t ShadingStage<N, kHas>::shade(PathBatch<N>& batch, int depth, StageWatch* watch) {
@@ -26,7 +42,8 @@ std::uint64_t ShadingStage<N, kHas>::shade(PathBatch<N>& batch, BsdfKind kind, i
     const Packet packet(slots, first);
     const VertexPacket<N, Bsdf, kHas> vertices(scene_, batch, packet);
     const SampleStreamLanes stream = batch.stream.gather(packet);
-    if (!scene_.lights.empty()) sample_lights(batch, packet, depth, stream, vertices);
+    if (!scene_.lights.empty() && !vertices.bsdfs->are_delta(packet))
+      sample_lights(batch, packet, depth, stream, vertices);
     split += sample_directions(batch, packet, depth, stream, vertices);
   }
   return split;
@@ -34,13 +51,13 @@ std::uint64_t ShadingStage<N, kHas>::shade(PathBatch<N>& batch, BsdfKind kind, i
 
 /// Where lights differ in spectrum: what those of each may add to this path.
 template <int N, Features kHas>
-void ShadingStage<N, kHas>::weigh_spectra(PathBatch<N>& batch, std::uint32_t slot) const {
+std::span<const float> ShadingStage<N, kHas>::weigh_spectra(PathBatch<N>& batch, std::uint32_t slot) const {
   const std::span<float> spectra = batch.spectra_of(slot);
-  if (spectra.empty()) return;
   const SampledSpectrum<N> importance = batch.throughput[slot] * batch.wavelengths[slot].importance();
   for (std::size_t k = 0; k < spectra.size(); ++k)
     spectra[k] = (importance * batch.emission_of(slot, static_cast<int>(k))).sum();
   scene_.lights.spectrum_probabilities(spectra);
+  return spectra;
 }
 
 /// What varies over a lamp, at the point that was chosen.
@@ -66,21 +83,17 @@ LightSampleLanes ShadingStage<N, kHas>::choose_lights(PathBatch<N>& batch, const
     scene_.lights.sample_only_light(vertices.point.position, u, lights);
     return lights;
   }
-  const UintLanes choice = stream.bits(bounce_dimension(depth, kLightChoice));
   LightReferenceLanes at{.position = vertices.point.position,
                          .normal = {},
                          .spectra = {},
-                         .u_choice = {},
+                         .u_choice = SampleStream::fine(stream.bits(bounce_dimension(depth, kLightChoice))),
                          .u = u,
                          .count = packet.count};
   if (!Bsdf::kLitFromBehind) at.normal = vertices.frame.n;
-  for (int i = 0; i < packet.count; ++i) {
-    const std::uint32_t slot = packet[i];
-    weigh_spectra(batch, slot);
-    if (scene_.lights.uses_normals()) batch.normal.set(slot, lane(at.normal, i));
-    at.spectra[static_cast<std::size_t>(i)] = batch.spectra_of(slot);
-    at.u_choice[static_cast<std::size_t>(i)] = SampleStream::fine(lane(choice, i));
-  }
+  if (scene_.lights.uses_normals()) batch.normal.scatter(packet, rows_of(at.normal));
+  if (scene_.lights.several_spectra())
+    for (int i = 0; i < packet.count; ++i)
+      at.spectra[static_cast<std::size_t>(i)] = weigh_spectra(batch, packet[i]);
   scene_.lights.sample(at, lights);
   return lights;
 }
@@ -145,7 +158,12 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
   const DirectionSamples<N> samples = vertices.bsdfs->sample(packet, u_lobe, u);
   const Vec3Lanes wi = vertices.frame.to_world(samples.wi), origin = vertices.point.leave(wi);
-  const SpectrumLanes<N> throughput = gather(batch.throughput.data(), packet) * samples.weight;
+  SpectrumLanes<N> throughput = gather(batch.throughput.data(), packet) * samples.weight;
+  Lanes eta_scale = Lanes{} + 1.0f;
+  if (kHas.media) eta_scale = gather(batch.eta_scale.data(), packet) * sqr(samples.eta);
+  if (depth >= kRouletteDepth)
+    throughput =
+        throughput * roulette_gain(throughput, eta_scale, stream.get_1d(bounce_dimension(depth, kRoulette)));
   const IntLanes sampled = samples.found & vertices.sides_agree(wi, samples.wi.z),
                  go_on = sampled & ~throughput.is_black(), inwards = vertices.is_inwards(wi);
 
@@ -159,7 +177,7 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
     batch.rays.origin.set(slot, origins[k]);
     batch.rays.direction.set(slot, directions[k]);
     batch.vertex.set(slot, positions[k]);
-    if (kHas.media) batch.eta_scale[slot] *= sqr(lane(samples.eta, i));
+    if (kHas.media) batch.eta_scale[slot] = lane(eta_scale, i);
     if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(lane(inwards, i));
     batch.active.push(slot);
   });

@@ -7,15 +7,14 @@
 
 namespace photopic {
 
-/// What a batch of paths goes through; from kStageShade on a stage for each BsdfKind, light sampling
-/// included.
+/// What a batch of paths goes through; from kStageShade on a stage for each BsdfKind, light sampling and
+/// roulette included.
 enum Stage : std::size_t {
   kStageStart,      ///< sample streams, wavelengths, camera rays
   kStageIntersect,  ///< nearest hits
   kStageEmit,       ///< light of lamps that were hit, absorption, the environment
   kStageSort,       ///< by BSDF
   kStageShadow,
-  kStageRoulette,
   kStageFilm,
   kStageShade,
   kStages = kStageShade + kBsdfKinds

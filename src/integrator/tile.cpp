@@ -9,6 +9,7 @@ namespace photopic {
 namespace {
 
 constexpr int kTileSize = 16;
+constexpr int kBlockSize = 4;
 
 }  // namespace
 
@@ -23,10 +24,14 @@ std::vector<Tile> film_tiles(const Camera& camera) {
 std::vector<PathKey> tile_paths(const Tile& tile, int film_width, int first, int last) {
   std::vector<PathKey> paths;
   paths.reserve(static_cast<std::size_t>(tile.pixel_count()) * static_cast<std::size_t>(last - first));
-  for (int s = first; s < last; ++s)
-    for (int y = tile.y0; y < tile.y1; ++y)
-      for (int x = tile.x0; x < tile.x1; ++x)
-        paths.push_back({static_cast<std::uint32_t>(y * film_width + x), static_cast<std::uint32_t>(s)});
+  const auto add_pixel = [&](int x, int y) {
+    for (int s = first; s < last; ++s)
+      paths.push_back({static_cast<std::uint32_t>(y * film_width + x), static_cast<std::uint32_t>(s)});
+  };
+  for (int y0 = tile.y0; y0 < tile.y1; y0 += kBlockSize)
+    for (int x0 = tile.x0; x0 < tile.x1; x0 += kBlockSize)
+      for (int y = y0; y < std::min(y0 + kBlockSize, tile.y1); ++y)
+        for (int x = x0; x < std::min(x0 + kBlockSize, tile.x1); ++x) add_pixel(x, y);
   return paths;
 }
 

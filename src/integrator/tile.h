@@ -18,8 +18,8 @@ struct Tile {
 /// Cover the film, row by row.
 std::vector<Tile> film_tiles(const Camera& camera);
 
-/// A tile's paths with samples first … last − 1, sample by sample, so that neighbours in a batch look at
-/// nearly the same thing.
+/// A tile's paths with samples first … last − 1: a pixel's side by side, pixels in small blocks, so that
+/// neighbours in a batch look at nearly the same thing.
 std::vector<PathKey> tile_paths(const Tile& tile, int film_width, int first, int last);
 
 /// The mean ΔE (CIEDE2000, D65 at Y = 1) to be expected between all samples of two films and the truth, over

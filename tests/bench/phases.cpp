@@ -15,10 +15,9 @@ using namespace photopic;
 namespace {
 
 constexpr std::array<const char*, kStages> kNames = {
-    "camera, wavelengths", "intersect",       "emit",          "sort by BSDF",
-    "shadow rays",         "roulette",        "film",          "shade diffuse",
-    "shade opaque",        "shade conductor", "shade layered", "shade glass",
-    "shade spectral glass"};
+    "camera, wavelengths", "intersect",     "emit",          "sort by BSDF",
+    "shadow rays",         "film",          "shade diffuse", "shade opaque",
+    "shade conductor",     "shade layered", "shade glass",   "shade spectral glass"};
 
 /// Of one render and all its stages [s].
 struct Round {

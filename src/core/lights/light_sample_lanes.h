@@ -13,7 +13,7 @@ namespace photopic {
 struct LightReferenceLanes {
   Vec3Lanes position, normal;
   std::array<std::span<const float>, kLanes> spectra;
-  std::array<double, kLanes> u_choice;
+  DoubleLanes u_choice;
   Sample2dLanes u;
   int count;  ///< of the lanes in use
 

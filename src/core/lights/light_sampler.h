@@ -80,10 +80,11 @@ class LightSampler {
 
     void take(const LightTree::Choice& choice) { light = choice.light, probability *= choice.probability; }
   };
-  using Picks = std::array<Pick, kLanes>;
-
   Pick pick(std::span<const float> spectra, double u_choice) const;
-  Picks pick_lights(const LightReferenceLanes& at) const;
+  LightTree::Choices choose_lights(const LightReferenceLanes& at) const;
+  LightTree::Choices choose_among_all(const LightReferenceLanes& at) const;
+  /// The tree beside which there is no light, or null.
+  const LightTree* only_tree() const;
   void fill_emission(const std::array<const AreaLight*, kLanes>& lights, LightSampleLanes& samples) const;
   void make_group(Group& group, std::span<const std::uint32_t> members, std::span<const double> weight);
   LightBounds bounds_of(std::uint32_t light) const;

@@ -11,6 +11,10 @@ namespace {
 constexpr float kNarrowCone = 0.9f;
 constexpr float kSmall2 = 0.06f;
 
+/// The root's branches are weighed for every choice, so none is opened there that has neither this share of
+/// the cost nor this share of the power.
+constexpr double kLeastCost = 1e-6, kLeastPower = 0.01;
+
 }  // namespace
 
 LightBranch<float> LightTree::Node::branch(std::uint32_t i) const {
@@ -36,13 +40,17 @@ struct LightTree::Build {
   std::vector<LightCluster> branches(const LightCluster& all, bool root) const {
     if (all.members.size() <= kWidth) return singles(all.members);
     std::vector<LightCluster> list{all};
-    const std::size_t whole = root ? 1 : kWidth;
-    const auto cost = [whole](const LightCluster& c) { return c.members.size() > whole ? c.cost : -1.0; };
+    const auto opens = [&](const LightCluster& c) {
+      if (!root) return c.members.size() > kWidth;
+      return c.members.size() > 1 && (c.cost > kLeastCost * all.cost ||
+                                      double{c.bounds.power} > kLeastPower * double{all.bounds.power});
+    };
+    const auto cost = [&](const LightCluster& c) { return opens(c) ? c.cost : -1.0; };
     while (list.size() < kWidth) {
       const auto costliest =
           std::max_element(list.begin(), list.end(),
                            [&](const LightCluster& a, const LightCluster& b) { return cost(a) < cost(b); });
-      if (costliest->members.size() <= whole) break;
+      if (!opens(*costliest)) break;
       const auto [first, second] = split(*costliest, lights);
       *costliest = first;
       list.push_back(second);
@@ -98,7 +106,9 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
     const auto [node, cluster] = pending.back();
     pending.pop_back();
     std::uint32_t lane = 0;
-    for (const LightCluster& branch : build.branches(cluster, node == 0)) {
+    const std::vector<LightCluster> branches = build.branches(cluster, node == 0);
+    nodes_[node].count = static_cast<std::uint32_t>(branches.size());
+    for (const LightCluster& branch : branches) {
       const Place place = node * kWidth + lane;
       build.fill(nodes_[node], lane, branch);
       if (branch.members.size() == 1) {

@@ -44,6 +44,7 @@ class LightTree {
 
   /// Branches that are missing have no power.
   struct Node {
+    std::uint32_t count = 0;  ///< of the branches
     LightBranch<Lanes> branches{};
     IntLanes child{};                              ///< a node, or ~light
     UintLanes cluster = UintLanes{} + kNoCluster;  ///< of lights so alike that power may choose among them

@@ -13,14 +13,14 @@ class LightTree::Descents {
            std::span<const std::uint32_t> wanted, Choices& choices)
       : tree_(tree), at_(at), choices_(choices), u_(u), count_(wanted.size()) {
     std::ranges::copy(wanted, under_way_.begin());
-    draw(weigh_root());
+    draw(weigh_root(), tree_.nodes_[0].count);
   }
 
   /// To the branches drawn. @return whether there is more to go
   bool go_on();
 
   /// Draws branches of the nodes reached.
-  void draw() { draw(weigh_nodes()); }
+  void draw() { draw(weigh_nodes(), kWidth); }
 
   /// Lights of the clusters reached.
   void draw_by_power() const;
@@ -28,7 +28,7 @@ class LightTree::Descents {
  private:
   LaneMatrix weigh_root() const;
   LaneMatrix weigh_nodes() const;
-  void draw(const LaneMatrix& weight_of_branch);
+  void draw(const LaneMatrix& weight_of_branch, std::uint32_t branches);
 
   const LightTree& tree_;
   const BasicLightReference<Lanes>& at_;
@@ -52,8 +52,9 @@ class LightTree::Descents {
 };
 
 LaneMatrix LightTree::Descents::weigh_root() const {
+  const Node& root = tree_.nodes_[0];
   LaneMatrix weight;
-  for (std::uint32_t i = 0; i < kWidth; ++i) weight[i] = importance(tree_.nodes_[0].branch(i), at_);
+  for (std::uint32_t i = 0; i < root.count; ++i) weight[i] = importance(root.branch(i), at_);
   return weight;
 }
 
@@ -68,18 +69,18 @@ LaneMatrix LightTree::Descents::weigh_nodes() const {
   return transpose(weight);
 }
 
-void LightTree::Descents::draw(const LaneMatrix& weight) {
+void LightTree::Descents::draw(const LaneMatrix& weight, std::uint32_t branches) {
   LaneMatrix up_to;
   Lanes total{};
-  for (std::size_t i = 0; i < kWidth; ++i) up_to[i] = total += weight[i];
+  for (std::size_t i = 0; i < branches; ++i) up_to[i] = total += weight[i];
 
   // The first whose sum lies above: sums never fall, so that it has a weight.
   const DoubleLanes target = u_ * to_double(total);
   const Lanes below_total = total * (1.0f - 0x1p-24f), rounded = min(to_float(target), below_total);
   branch_ = IntLanes{};
   Lanes passed{}, share{};
-  for (std::size_t i = kWidth; i-- > 0;) share = select(up_to[i] > rounded, weight[i], share);
-  for (std::size_t i = 0; i < kWidth; ++i) {
+  for (std::size_t i = branches; i-- > 0;) share = select(up_to[i] > rounded, weight[i], share);
+  for (std::size_t i = 0; i < branches; ++i) {
     const IntLanes below = up_to[i] <= rounded;
     branch_ -= below;
     passed = select(below, up_to[i], passed);
