@@ -23,6 +23,7 @@ inline const std::vector<std::string> kSamplers{"uniform", "visible", "illuminan
 struct SceneArguments {
   std::filesystem::path scene;
   std::vector<std::string> emitters;  ///< "[NAME=]SPECTRUM"
+  std::string scene_name;             ///< or index, of the file's; empty: the default
   std::string camera;                 ///< empty: the scene's first
   std::filesystem::path environment;  ///< a picture of the surroundings; empty: none
   double environment_rotation = 0.0;  ///< about +y [degrees]

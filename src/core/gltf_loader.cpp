@@ -15,6 +15,7 @@
 #include "core/gltf/material.h"
 #include "core/gltf/nodes.h"
 #include "core/gltf/rules.h"
+#include "core/gltf/scene_choice.h"
 #include "core/gltf/solid_glass.h"
 #include "core/gltf/stray_extras.h"
 #include "core/gltf/texture.h"
@@ -34,9 +35,6 @@ void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& war
   for (const std::string& name : names) {
     if (!known(name)) warnings.push_back(fmt::format("the extension {} is ignored", name.substr(0, 60)));
   }
-  if (document.model.scenes.size() > 1)
-    warnings.push_back(
-        fmt::format("further scenes of the file are not rendered: {}", document.model.scenes.size() - 1));
   if (document.animation_count > 0)
     warnings.push_back(fmt::format("animations are not played: {}", document.animation_count));
   if (document.double_transforms > 0)
@@ -61,7 +59,8 @@ std::vector<char> read_file(const std::filesystem::path& file) {
 Scene read_scene(const GltfDocument& document, const GltfOptions& options) {
   Scene scene;
   scene.files = document.named_files;
-  const std::vector<NodeInstance> instances = walk_nodes(document, scene.warnings);
+  scene.scene_index = choose_scene(document, options.scene, scene.warnings);
+  const std::vector<NodeInstance> instances = walk_nodes(document, scene.scene_index, scene.warnings);
   warn_of_ignored(document, scene.warnings);
   warn_of_stray_extras(document, scene.warnings);
   load_gltf_materials(document, scene);

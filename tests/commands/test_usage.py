@@ -9,14 +9,14 @@ from harness import CommandTest
 from tiny_scene import write_tiny_scene
 
 COMMANDS = {
-    "render": "--output --spp --sampler --wavelengths --emitter --distribution --resolution --camera --max-depth "
+    "render": "--output --spp --sampler --wavelengths --emitter --distribution --resolution --scene --camera --max-depth "
     "--sequence --exposure --seed --threads --quiet --json --stats --batch-size --no-cache "
     "--aov --spectral-bins",
     "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet "
     "--compare-wavelengths --nodes --reflectances",
-    "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter",
+    "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter --scene --camera",
     "diff": "--json --threads",
-    "info": "--emitter --resolution --camera --threads --json",
+    "info": "--emitter --resolution --scene --camera --threads --json",
     "spectrum": "--plot --json --quiet",
 }
 
@@ -67,7 +67,7 @@ class Refused(CommandTest):
             self.assert_refused(arguments, *needles)
 
     def test_options_given_too_often_or_without_a_value(self):
-        for option in ["--spp", "--seed", "--json", "--camera"]:
+        for option in ["--spp", "--seed", "--json", "--scene", "--camera"]:
             self.assert_refused(self.render(option, "1", option, "2"), option + " is given ", "times; give it once")
             self.assert_refused(["render", self.scene, "-o", "out.exr", option], option + ": its value is missing")
         self.assert_refused(["optimize", "cie:A", "-o", "a.json", "-o", "b.json"], "--output is given 2 times")
