@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
   using namespace photopic;
   keep_stderr_open();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error like a full disk
+  std::signal(SIGPIPE, SIG_IGN);  // so is a pipe whose reader has ended: it must not end a render
   const int code = run_guarded(argc, argv);
   return check_stdout() || code != kExitDone ? code : kExitBadInput;
 }

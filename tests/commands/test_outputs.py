@@ -86,6 +86,19 @@ class FullDisk(OutputTest):
             self.assertIn("standard output", result.stderr)
         self.assertIn("No space left", result.stderr)
 
+    def test_a_pipe_without_a_reader(self):
+        """As after `| head -1`: what goes there is missed, and nothing else."""
+        reader, writer = os.pipe()
+        os.close(reader)
+        for arguments in [["info", self.scene], self.render("-o", "a.png", "--stats"),
+                          ["info", self.scene, "--json", "/dev/stdout"]]:  # fmt: skip
+            result = subprocess.run([BINARY, *map(str, arguments)], cwd=self.folder, env=self.environment,
+                                    stdout=writer, stderr=subprocess.PIPE, text=True, timeout=DEADLINE)  # fmt: skip
+            self.assertEqual(result.returncode, 1, arguments)
+            self.assertIn("Broken pipe", result.stderr)
+        os.close(writer)
+        self.assertTrue((self.folder / "a.png").exists())
+
 
 class WhereTheyLead(OutputTest):
     def info(self, target, **redirection):
@@ -181,7 +194,7 @@ class BrokenStderr(OutputTest):
     def test_pipe_without_a_reader(self):
         reader, writer = os.pipe()
         os.close(reader)
-        self.assert_works(writer, restore_signals=False)  # Python ignores SIGPIPE
+        self.assert_works(writer)
         os.close(writer)
 
 
