@@ -20,7 +20,6 @@
 #include "core/gltf/stray_extras.h"
 #include "core/gltf/texture.h"
 #include "error.h"
-#include "input_file.h"
 
 namespace photopic {
 namespace {
@@ -51,11 +50,6 @@ void give_back_free_memory() {
 #endif
 }
 
-std::vector<char> read_file(const std::filesystem::path& file) {
-  check_readable_file(file);
-  return read_gltf_bytes(file);
-}
-
 Scene read_scene(const GltfDocument& document, const GltfOptions& options) {
   Scene scene;
   scene.files = document.named_files;
@@ -80,7 +74,7 @@ Scene read_scene(const GltfDocument& document, const GltfOptions& options) {
 }  // namespace
 
 Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
-  return load_gltf(read_file(file), file, options);
+  return load_gltf(read_gltf_bytes(file), file, options);
 }
 
 Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options) {
@@ -90,7 +84,7 @@ Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, cons
 }
 
 ListedScene load_listed_gltf(const std::filesystem::path& file, const GltfOptions& options) {
-  const GltfDocument document = read_gltf_document(read_file(file), file);
+  const GltfDocument document = read_gltf_document(read_gltf_bytes(file), file);
   return {read_scene(document, options), list_contents(document)};
 }
 
