@@ -52,7 +52,7 @@ int run_guarded(int argc, char** argv) {
     print_error("interrupted while optimising; nothing is written");
     return interrupted_exit_code();
   } catch (const std::bad_alloc&) {
-    print_error("out of memory; choose a smaller resolution or scene");
+    print_error("out of memory; choose a smaller scene or resolution, or fewer --spectral-bins");
     return kExitBadInput;
   } catch (const std::exception& error) {
     print_error(fmt::format("internal error: {}; please report it", error.what()));
