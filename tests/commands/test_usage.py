@@ -44,7 +44,7 @@ class Refused(CommandTest):
 
     def test_bad_usage(self):
         self.assert_refused([], "--help")
-        self.assert_refused(["paint"], "paint")
+        self.assert_refused(["paint"], "paint: there is no such command; see")
         self.assert_refused(["render"], "SCENE", "photopic render --help")
         self.assert_refused(["render", self.scene], "--output")
         self.assert_refused(self.render("--frobnicate"), "frobnicate")
@@ -59,6 +59,8 @@ class Refused(CommandTest):
             (["render", "--emitter", "cie:A", "cie:D65", "-o", "a.exr", self.scene], [again.format("--emitter, --output")]),
             (["info", self.scene, "b", "c"], ["not expected: b c; see"]),
             (["render", "--out", "a.exr", self.scene], ["--out: there is no such option (--output?); see"]),
+            (["render", "--camra", "eye", self.scene], ["--camra: there is no such option (--camera?); see"]),
+            (["optimise", "cie:A"], ["optimise: there is no such command (optimize?); see"]),
             (["render", "--frob=1", self.scene], ["--frob: there is no such option; see"]),
             (["render", self.scene, "a.exr"], ["--output is required"]),
             (["render", "--", self.scene], ["--output is required"]),
