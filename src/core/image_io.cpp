@@ -279,8 +279,9 @@ Image read_image(const std::filesystem::path& file) {
   check_readable_file(file);
   const QuietStderr quiet;
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string());
+  const std::string why = OIIO::geterror();
   if (!input)
-    fail("this is no image that can be read: " + reason(OIIO::geterror()),
+    fail("this is no image that can be read" + (is_image(file) ? ": " + reason(why) : ""),
          "give an .exr, .hdr, .png or .jpg");
 
   const OIIO::ImageSpec& spec = input->spec();

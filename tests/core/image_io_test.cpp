@@ -241,6 +241,17 @@ TEST_F(ImageIo, BadImagesAreRefused) {
 }
 
 /// A header alone, of 30,000 × 30,000 pixels: refused by its size, before anything is decoded.
+TEST_F(ImageIo, WhatIsNotEvenCalledAnImageIsToldShortly) {
+  std::ofstream(folder_ / "a.gltf") << "{}";
+  try {
+    read_image(folder_ / "a.gltf");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), (folder_ / "a.gltf").string() +
+                                ": this is no image that can be read; give an .exr, .hdr, .png or .jpg");
+  }
+}
+
 TEST_F(ImageIo, AbsurdSizesAreRefused) {
   std::ofstream stream(folder_ / "huge.hdr", std::ios::binary);
   stream << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 30000 +X 30000\n";
