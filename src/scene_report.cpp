@@ -87,7 +87,8 @@ ReportSection report_scenes(const Scene& scene, const GltfContents& contents) {
     const bool used = static_cast<int>(i) == scene.scene_index;
     section.json.push_back({{"name", contents.scenes[i]}, {"used", used}});
     if (contents.scenes.size() > 1)
-      section.rows.push_back({name_text(contents.scenes[i]), used ? "rendered" : "not used"});
+      section.rows.push_back(
+          {std::to_string(i), name_text(contents.scenes[i]), used ? "rendered" : "not used"});
   }
   return section;
 }
