@@ -60,6 +60,9 @@ Scene read_scene(const GltfDocument& document, const GltfOptions& options) {
   load_gltf_materials(document, scene);
   if (options.solid_glass) make_closed_glass_solid(document, instances, scene);
   load_gltf_geometry(document, instances, scene);
+  if (scene.geometry.triangles.empty())
+    scene.warnings.push_back(
+        fmt::format("no triangles in {}: the background alone is seen", document.file.path.string()));
   load_gltf_textures(document, scene);
   warn_of_unsound_glass(document, instances, scene);
   GltfEmissions emissions(document, options.emitters, scene);
