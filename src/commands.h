@@ -74,7 +74,7 @@ struct CompareArguments {
 int run_compare(const CompareArguments& arguments);
 
 struct InfoArguments {
-  SceneArguments scene;  ///< the file, camera, resolution and emitters alone
+  SceneArguments scene;  ///< the file, its scene, camera, resolution and emitters alone
   std::filesystem::path json;
 };
 int run_info(const InfoArguments& arguments);
