@@ -78,9 +78,28 @@ std::optional<mode_t> permissions_of(const fs::path& file) {
   return found.st_mode & 07777u;
 }
 
+const char* remedy_of(const std::error_code& error) {
+  switch (error.value()) {
+    case ENOSPC:
+    case EDQUOT:
+      return "free space on the disk or choose another";
+    case EFBIG:
+      return "choose another disk or allow larger files (ulimit -f)";
+    case EPIPE:
+      return "what was to read it has ended: let it read all, or name a file";
+    case ENAMETOOLONG:
+      return "choose a shorter name";
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "choose another folder or change its permissions";
+    default:
+      return "check the folder and its disk";
+  }
+}
+
 [[noreturn]] void fail(const fs::path& file, const std::error_code& error) {
-  throw InputError(file.string(), "cannot be written: " + error.message(),
-                   "check the folder's permissions and the disk's free space");
+  throw InputError(file.string(), "cannot be written: " + error.message(), remedy_of(error));
 }
 
 void replace(const fs::path& file, std::string_view bytes) {
@@ -143,7 +162,7 @@ void check_writable_file(const fs::path& file) {
   if (const std::error_code failure = try_folder(target))
     throw InputError(file.string(),
                      "cannot be made in the folder " + folder.string() + ": " + failure.message(),
-                     "choose another or change its permissions");
+                     remedy_of(failure));
 }
 
 }  // namespace photopic

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "core/gltf/name_choice.h"
 #include "messages.h"
 
 namespace photopic {
@@ -24,11 +25,28 @@ std::optional<std::string> unknown_option(const CLI::App& command, const std::ve
   return std::nullopt;
 }
 
-/// What may have been meant, where the name is the beginning of an option's; else nothing.
-std::string resembling(const CLI::App& command, const std::string& name) {
-  for (const CLI::Option* option : command.get_options())
-    if (option->get_name().starts_with(name)) return fmt::format(" ({}?)", option->get_name());
-  return "";
+/// What may have been meant: the first that begins so, else the likest of those that are but two slips away;
+/// else nothing.
+std::string resembling(const std::vector<std::string>& known, const std::string& name) {
+  std::size_t least = 3;
+  std::string meant;
+  for (const std::string& candidate : known) {
+    const std::size_t slips = candidate.starts_with(name) ? 0 : edit_distance(candidate, name);
+    if (slips < least) least = slips, meant = candidate;
+  }
+  return meant.empty() ? "" : fmt::format(" ({}?)", meant);
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) names.push_back(option->get_name());
+  return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
 }
 
 /// Which of the given options may be repeated: a second value without the option before it is taken for
@@ -62,7 +80,7 @@ std::string problem_of(const CLI::App& command, const CLI::ParseError& error) {
   const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
   if (extra || dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
     if (const auto name = unknown_option(command, extras))
-      return fmt::format("{}: there is no such option{}", *name, resembling(command, *name));
+      return fmt::format("{}: there is no such option{}", *name, resembling(option_names(command), *name));
   if (!extra) return problem_of_count(command, error);
   return fmt::format("not expected: {}{}", fmt::join(extras, " "), repeatable(command));
 }
@@ -73,7 +91,9 @@ int explain(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
   const auto chosen = app.get_subcommands();
   if (chosen.empty() && app.remaining_size() > 0) {
-    print_error(fmt::format("{}: there is no such command; see photopic --help", app.remaining().front()));
+    const std::string name = app.remaining().front();
+    print_error(fmt::format("{}: there is no such command{}; see photopic --help", name,
+                            resembling(command_names(app), name)));
   } else {
     const std::string name = chosen.empty() ? "" : " " + chosen.front()->get_name();
     const std::string problem = problem_of(chosen.empty() ? app : *chosen.front(), error);

@@ -29,6 +29,13 @@ void bind_scene_file(CLI::App& command, SceneArguments& a) {
   command.add_option("--resolution", a.resolution, "Size of the image [pixels]; the camera's if not given")
       ->type_name("WxH");
   command
+      .add_option(
+          "--scene", a.scene_name,
+          "The file's scene whose name is NAME, else the N-th, from 0: N, or index:N where a scene is "
+          "called N. Of several with one name, the first. The file's default if not given")
+      ->check(not_empty())
+      ->type_name("NAME|N");
+  command
       .add_option("--camera", a.camera,
                   "The camera whose name or node's name is NAME, else the N-th in the file, from 0: N, or "
                   "index:N where a camera is called N. Of several with one name, the first. The scene's "

@@ -23,6 +23,7 @@ inline const std::vector<std::string> kSamplers{"uniform", "visible", "illuminan
 struct SceneArguments {
   std::filesystem::path scene;
   std::vector<std::string> emitters;  ///< "[NAME=]SPECTRUM"
+  std::string scene_name;             ///< or index, of the file's; empty: the default
   std::string camera;                 ///< empty: the scene's first
   std::filesystem::path environment;  ///< a picture of the surroundings; empty: none
   double environment_rotation = 0.0;  ///< about +y [degrees]
@@ -73,7 +74,7 @@ struct CompareArguments {
 int run_compare(const CompareArguments& arguments);
 
 struct InfoArguments {
-  SceneArguments scene;  ///< the file, camera, resolution and emitters alone
+  SceneArguments scene;  ///< the file, its scene, camera, resolution and emitters alone
   std::filesystem::path json;
 };
 int run_info(const InfoArguments& arguments);

@@ -21,7 +21,7 @@ ReportSection report_file(const InfoArguments& arguments, const GltfContents& co
     if (count > 0) section.rows.push_back({name, std::to_string(count)});
   };
   section.json["name"] = arguments.scene.scene.string();
-  add("scenes", contents.scenes);
+  add("scenes", contents.scenes.size());
   add("nodes", contents.nodes);
   add("meshes", contents.meshes);
   add("primitives", contents.primitives);
@@ -57,17 +57,14 @@ int run_info(const InfoArguments& arguments) {
   const auto [scene, contents] = load_listed_gltf(arguments.scene.scene, gltf_options(arguments.scene));
   check_no_overwriting({arguments.json}, scene.files);
 
-  const ReportSection sections[] = {report_file(arguments, contents),
-                                    report_geometry(scene),
-                                    report_cameras(scene, contents),
-                                    report_materials(scene),
-                                    report_textures(scene),
-                                    report_lamps(scene, contents),
-                                    report_warnings(scene)};
+  const ReportSection sections[] = {report_file(arguments, contents), report_scenes(scene, contents),
+                                    report_geometry(scene),           report_cameras(scene, contents),
+                                    report_materials(scene),          report_textures(scene),
+                                    report_lamps(scene, contents),    report_warnings(scene)};
   nlohmann::ordered_json json = {{"version", PHOTOPIC_VERSION}};
   for (const ReportSection& section : sections) {
     json[section.key] = section.json;
-    if (!section.json.empty()) print_section(section);
+    if (!section.json.empty() && !section.rows.empty()) print_section(section);
   }
   if (!arguments.json.empty()) write_json_file(arguments.json, json);
   return kExitDone;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <string>
 #include <system_error>
 
 #include "error.h"
@@ -10,11 +11,12 @@
 namespace photopic {
 
 /// Checks that `file` is a regular file that may be read: the libraries that read it tell less of why not.
+/// @param where names it in messages
 /// @throws InputError
-inline void check_readable_file(const std::filesystem::path& file) {
+inline void check_readable_file(const std::filesystem::path& file, const std::string& where) {
   using std::filesystem::file_type;
   const auto fail = [&](const std::string& problem, const char* remedy) {
-    throw InputError(file.string(), problem, remedy);
+    throw InputError(where, problem, remedy);
   };
   std::error_code error;
   const file_type type = std::filesystem::status(file, error).type();
@@ -24,6 +26,10 @@ inline void check_readable_file(const std::filesystem::path& file) {
   if (type != file_type::regular)
     fail("is a pipe or device, not a file", "write what it gives to a file first");
   if (::access(file.c_str(), R_OK) != 0) fail("may not be read", "change its permissions or choose another");
+}
+
+inline void check_readable_file(const std::filesystem::path& file) {
+  check_readable_file(file, file.string());
 }
 
 }  // namespace photopic

@@ -1,6 +1,7 @@
 #include "interrupt.h"
 
 #include <csignal>
+#include <mutex>
 
 #include "commands.h"
 
@@ -29,16 +30,15 @@ void on_interrupt(int signal) {
   handle(SIGINT, SIG_DFL);
 }
 
-bool install() {
+void install() {
   for (int signal : {SIGHUP, SIGTERM, SIGINT}) handle(signal, on_interrupt);
-  return true;
 }
 
 }  // namespace
 
 const std::atomic<bool>& interrupt_flag() {
-  static const bool installed = install();
-  static_cast<void>(installed);
+  static std::once_flag installed;
+  std::call_once(installed, install);
   return interrupted;
 }
 

@@ -52,7 +52,7 @@ int run_guarded(int argc, char** argv) {
     print_error("interrupted while optimising; nothing is written");
     return interrupted_exit_code();
   } catch (const std::bad_alloc&) {
-    print_error("out of memory; choose a smaller resolution or scene");
+    print_error("out of memory; choose a smaller scene or resolution, or fewer --spectral-bins");
     return kExitBadInput;
   } catch (const std::exception& error) {
     print_error(fmt::format("internal error: {}; please report it", error.what()));
@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
   using namespace photopic;
   keep_stderr_open();
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond `ulimit -f` is an error like a full disk
+  std::signal(SIGPIPE, SIG_IGN);  // so is a pipe whose reader has ended: it must not end a render
   const int code = run_guarded(argc, argv);
   return check_stdout() || code != kExitDone ? code : kExitBadInput;
 }

@@ -28,7 +28,7 @@ namespace {
 
 /// The lamp as a table that gives some visible light.
 TabulatedSpectrum read_lamp(const std::string& text) {
-  const Spectrum spectrum = parse_spectrum(text, ".", Beyond::zero);
+  const Spectrum spectrum = parse_spectrum(text, {}, Beyond::zero);
   try {
     TabulatedSpectrum lamp = tabulate_emission(spectrum);
     if (luminance(lamp) > 0.0) return lamp;

@@ -81,6 +81,18 @@ ReportSection report_geometry(const Scene& scene) {
   return section;
 }
 
+ReportSection report_scenes(const Scene& scene, const GltfContents& contents) {
+  ReportSection section{"scenes", "scenes", {}, Json::array()};
+  for (std::size_t i = 0; i < contents.scenes.size(); ++i) {
+    const bool used = static_cast<int>(i) == scene.scene_index;
+    section.json.push_back({{"name", contents.scenes[i]}, {"used", used}});
+    if (contents.scenes.size() > 1)
+      section.rows.push_back(
+          {std::to_string(i), name_text(contents.scenes[i]), used ? "rendered" : "not used"});
+  }
+  return section;
+}
+
 ReportSection report_cameras(const Scene& scene, const GltfContents& contents) {
   ReportSection section{
       "cameras", "cameras", {{"name", "type", "position [m]", "field of view", "image"}}, {}};

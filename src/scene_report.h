@@ -23,6 +23,9 @@ std::string size_text(double bytes);
 
 /// Geometry: counts, bounds in the world [m], memory.
 ReportSection report_geometry(const Scene& scene);
+
+/// The file's scenes, and which of them renders; no rows where there is no choice.
+ReportSection report_scenes(const Scene& scene, const GltfContents& contents);
 /// All cameras of the file, and the one that renders.
 ReportSection report_cameras(const Scene& scene, const GltfContents& contents);
 /// All materials: kind of scattering, colour under D65, parameters that are not their defaults.

@@ -61,6 +61,7 @@ std::vector<std::filesystem::path> input_files(const SceneArguments& arguments) 
 GltfOptions gltf_options(const SceneArguments& arguments) {
   GltfOptions options;
   for (const std::string& text : arguments.emitters) options.emitters.push_back(parse_emitter(text));
+  options.scene = arguments.scene_name;
   options.camera = arguments.camera;
   options.punctual_scale = arguments.punctual_scale;
   options.solid_glass = arguments.solid_glass;

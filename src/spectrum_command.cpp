@@ -112,7 +112,7 @@ int run_spectrum(const SpectrumArguments& arguments) {
   if (!arguments.json.empty()) check_writable_file(arguments.json);
   check_no_overwriting({arguments.plot, arguments.json}, {arguments.spectrum});
   const std::string& name = arguments.spectrum;
-  const Spectrum spectrum = parse_spectrum(name, ".", Beyond::zero);
+  const Spectrum spectrum = parse_spectrum(name, {}, Beyond::zero);
   OutputAttempts attempt;
   try {
     const TabulatedSpectrum emission = tabulate_emission(spectrum);

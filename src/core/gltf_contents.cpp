@@ -7,7 +7,7 @@ namespace photopic {
 GltfContents list_contents(const GltfDocument& document) {
   const tinygltf::Model& model = document.model;
   GltfContents contents;
-  contents.scenes = model.scenes.size();
+  for (const auto& scene : model.scenes) contents.scenes.push_back(scene.name);
   contents.nodes = model.nodes.size();
   contents.meshes = model.meshes.size();
   for (const auto& mesh : model.meshes) contents.primitives += mesh.primitives.size();

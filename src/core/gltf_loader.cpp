@@ -15,11 +15,11 @@
 #include "core/gltf/material.h"
 #include "core/gltf/nodes.h"
 #include "core/gltf/rules.h"
+#include "core/gltf/scene_choice.h"
 #include "core/gltf/solid_glass.h"
 #include "core/gltf/stray_extras.h"
 #include "core/gltf/texture.h"
 #include "error.h"
-#include "input_file.h"
 
 namespace photopic {
 namespace {
@@ -34,9 +34,6 @@ void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& war
   for (const std::string& name : names) {
     if (!known(name)) warnings.push_back(fmt::format("the extension {} is ignored", name.substr(0, 60)));
   }
-  if (document.model.scenes.size() > 1)
-    warnings.push_back(
-        fmt::format("further scenes of the file are not rendered: {}", document.model.scenes.size() - 1));
   if (document.animation_count > 0)
     warnings.push_back(fmt::format("animations are not played: {}", document.animation_count));
   if (document.double_transforms > 0)
@@ -53,20 +50,19 @@ void give_back_free_memory() {
 #endif
 }
 
-std::vector<char> read_file(const std::filesystem::path& file) {
-  check_readable_file(file);
-  return read_gltf_bytes(file);
-}
-
 Scene read_scene(const GltfDocument& document, const GltfOptions& options) {
   Scene scene;
   scene.files = document.named_files;
-  const std::vector<NodeInstance> instances = walk_nodes(document, scene.warnings);
+  scene.scene_index = choose_scene(document, options.scene, scene.warnings);
+  const std::vector<NodeInstance> instances = walk_nodes(document, scene.scene_index, scene.warnings);
   warn_of_ignored(document, scene.warnings);
   warn_of_stray_extras(document, scene.warnings);
   load_gltf_materials(document, scene);
   if (options.solid_glass) make_closed_glass_solid(document, instances, scene);
   load_gltf_geometry(document, instances, scene);
+  if (scene.geometry.triangles.empty())
+    scene.warnings.push_back(
+        fmt::format("no triangles in {}: the background alone is seen", document.file.path.string()));
   load_gltf_textures(document, scene);
   warn_of_unsound_glass(document, instances, scene);
   GltfEmissions emissions(document, options.emitters, scene);
@@ -81,7 +77,7 @@ Scene read_scene(const GltfDocument& document, const GltfOptions& options) {
 }  // namespace
 
 Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options) {
-  return load_gltf(read_file(file), file, options);
+  return load_gltf(read_gltf_bytes(file), file, options);
 }
 
 Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, const GltfOptions& options) {
@@ -91,7 +87,7 @@ Scene load_gltf(std::vector<char> bytes, const std::filesystem::path& file, cons
 }
 
 ListedScene load_listed_gltf(const std::filesystem::path& file, const GltfOptions& options) {
-  const GltfDocument document = read_gltf_document(read_file(file), file);
+  const GltfDocument document = read_gltf_document(read_gltf_bytes(file), file);
   return {read_scene(document, options), list_contents(document)};
 }
 

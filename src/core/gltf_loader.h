@@ -18,6 +18,7 @@ struct EmitterOverride {
 
 struct GltfOptions {
   std::vector<EmitterOverride> emitters{};  ///< later ones win; a NAME wins over an empty name
+  std::string scene{};   ///< name of a scene, else "N" or "index:N"; empty: the default scene, else the first
   std::string camera{};  ///< name of a camera or its node, else "N" or "index:N"; empty: the scene's first
   int width = 0, height = 0;    ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
   double punctual_scale = 1.0;  ///< factor on the intensities of KHR_lights_punctual
@@ -26,7 +27,7 @@ struct GltfOptions {
   bool allow_incomplete = false;  ///< no light gets no sky
 };
 
-/// Loads the default scene of a .gltf or .glb file. Everything read from the file is checked before it is
+/// Loads a scene of a .gltf or .glb file. Everything read from the file is checked before it is
 /// used.
 /// @throws InputError naming the file, the JSON pointer of the place, what is wrong and what to do
 Scene load_gltf(const std::filesystem::path& file, const GltfOptions& options = {});

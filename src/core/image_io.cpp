@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <new>
 #include <string_view>
@@ -124,10 +125,11 @@ bool write_rows(OIIO::ImageOutput& output, const Image& image, const std::vector
   return true;
 }
 
-/// A file in memory. libjpeg writes to a FILE alone.
+/// A file in memory, as a FILE: libjpeg writes to nothing else, and ends the process when that fails. So what
+/// finds no memory is swallowed, and told by bytes().
 class MemoryFile {
  public:
-  MemoryFile() : stream_(::open_memstream(&data_, &size_)) {
+  MemoryFile() : stream_(::fopencookie(this, "w", {nullptr, write, seek, nullptr})) {
     if (!stream_) throw std::bad_alloc();
   }
   ~MemoryFile() {
@@ -140,13 +142,45 @@ class MemoryFile {
   FILE* stream() const { return stream_; }
   /// What was written, until more is.
   std::string_view bytes() const {
-    if (std::fflush(stream_) != 0) throw std::bad_alloc();
+    std::fflush(stream_);
+    if (incomplete_) throw std::bad_alloc();
     return {data_, size_};
   }
 
  private:
+  static ssize_t write(void* cookie, const char* bytes, std::size_t count) {
+    MemoryFile& file = *static_cast<MemoryFile*>(cookie);
+    if (!file.incomplete_ && file.reserve(file.at_ + count)) {
+      if (file.at_ > file.size_) std::memset(file.data_ + file.size_, 0, file.at_ - file.size_);
+      std::memcpy(file.data_ + file.at_, bytes, count);
+      file.size_ = std::max(file.size_, file.at_ + count);
+    }
+    file.at_ += count;
+    return static_cast<ssize_t>(count);
+  }
+
+  static int seek(void* cookie, off64_t* offset, int origin) {
+    MemoryFile& file = *static_cast<MemoryFile*>(cookie);
+    const std::size_t from = origin == SEEK_CUR ? file.at_ : origin == SEEK_END ? file.size_ : 0;
+    *offset += static_cast<off64_t>(from);
+    if (*offset < 0) return -1;
+    file.at_ = static_cast<std::size_t>(*offset);
+    return 0;
+  }
+
+  bool reserve(std::size_t size) {
+    if (size <= capacity_) return true;
+    const std::size_t capacity = std::max({size, 2 * capacity_, std::size_t{1} << 16});
+    char* data = static_cast<char*>(std::realloc(data_, capacity));  // moves pages, where a vector copies
+    incomplete_ = data == nullptr;
+    if (incomplete_) return false;
+    data_ = data, capacity_ = capacity;
+    return true;
+  }
+
   char* data_ = nullptr;
-  std::size_t size_ = 0;
+  std::size_t at_ = 0, size_ = 0, capacity_ = 0;
+  bool incomplete_ = false;
   FILE* stream_;
 };
 
@@ -156,8 +190,11 @@ class MemoryFile {
 void encode_file(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
                  double exposure_ev, const std::vector<ImageLayer>& layers, MemoryFile& memory) {
   const auto fail = [&](const std::string& why) {
-    throw InputError(file.string(), "cannot be written: " + reason(why), "choose another kind of file");
+    if (why.find("std::bad_alloc") != why.npos) throw std::bad_alloc();  // OpenEXR's, become a text
+    throw InputError(file.string(), "cannot be written: " + reason(why),
+                     "choose another kind of file or a smaller resolution");
   };
+  const QuietStderr quiet;  // libpng's errors are told below
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(file.string());
   if (!output) fail(OIIO::geterror());
   OIIO::Filesystem::IOFile stream(memory.stream(), OIIO::Filesystem::IOProxy::Write);
@@ -213,10 +250,15 @@ void write_image(const std::filesystem::path& file, const Image& image, const Me
   check_ending(file);
   check_image_size(file, image.width, image.height);
   const bool exr = is_exr(file), convert = image.space == ColorSpace::xyz && !exr;
-  MemoryFile memory;
-  encode_file(file, convert ? to_linear_srgb(image) : image, metadata, exposure_ev,
-              exr ? layers : std::vector<ImageLayer>(), memory);
-  write_file(file, memory.bytes());
+  try {
+    MemoryFile memory;
+    encode_file(file, convert ? to_linear_srgb(image) : image, metadata, exposure_ev,
+                exr ? layers : std::vector<ImageLayer>(), memory);
+    write_file(file, memory.bytes());
+  } catch (const std::bad_alloc&) {
+    throw InputError(file.string(), "cannot be written: out of memory, where the file is put together",
+                     "choose a smaller resolution or fewer layers");
+  }
 }
 
 Metadata read_metadata(const std::filesystem::path& file) {
@@ -237,8 +279,9 @@ Image read_image(const std::filesystem::path& file) {
   check_readable_file(file);
   const QuietStderr quiet;
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string());
+  const std::string why = OIIO::geterror();
   if (!input)
-    fail("this is no image that can be read: " + reason(OIIO::geterror()),
+    fail("this is no image that can be read" + (is_image(file) ? ": " + reason(why) : ""),
          "give an .exr, .hdr, .png or .jpg");
 
   const OIIO::ImageSpec& spec = input->spec();

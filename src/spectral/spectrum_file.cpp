@@ -64,8 +64,7 @@ std::string read_text(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file, error))
     throw InputError(name, "no such spectrum file",
                      "give a file, cie:NAME, blackbody:KELVIN, line:NM[:FWHM] or constant");
-  if (!std::filesystem::is_regular_file(file, error))
-    throw InputError(name, "not a file", "give a spectrum file");
+  check_readable_file(file);
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error || size > kLargestFile)
     throw InputError(name, "larger than 64 MB", "give a file that holds one spectrum");
@@ -73,7 +72,7 @@ std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string text(size, '\0');
   if (!stream.read(text.data(), static_cast<std::streamsize>(size)))
-    throw InputError(name, "cannot be read", "check the file's permissions");
+    throw InputError(name, "cannot be read", "check the disk it is on");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   const auto is_control = [](unsigned char c) { return c < 9 || (c > 13 && c < 32) || c == 127; };
   const bool binary = std::any_of(text.begin(), text.end(), is_control);
@@ -106,7 +105,11 @@ Spectrum parse_spectrum(std::string_view text, const std::filesystem::path& fold
 }
 
 TabulatedSpectrum read_spectrum_file(const std::filesystem::path& file, Beyond beyond) {
-  const std::string text = read_text(file), name = file.string(), extension = lower_case_ending(file);
+  const std::string name = file.string(), extension = lower_case_ending(file);
+  if (extension == ".gltf" || extension == ".glb")
+    throw InputError(name, "is a scene, not a spectrum",
+                     "`photopic render` optimises for a scene's own lamps, `photopic info` lists them");
+  const std::string text = read_text(file);
   const auto read = extension == ".sp"     ? read_cgats
                     : extension == ".json" ? read_spectrum_json
                     : extension == ".spdx" ? read_spdx

@@ -17,6 +17,7 @@ import sys
 import tempfile
 import unittest
 
+from harness import CommandTest
 from mutations import all_mutations, encode
 from tiny_scene import tiny_scene
 
@@ -154,6 +155,52 @@ class Malformed(unittest.TestCase):
                 if outcome.code == 1:
                     self.assertEqual(len(outcome.stderr.splitlines()), 1, outcome.stderr)
                     self.assertIn(path.name, outcome.stderr)
+
+
+class FilesBeside(CommandTest):
+    """Buffers and images in files of their own that cannot be read: the line names the place, the file and what it is."""
+
+    def setUp(self):
+        super().setUp()
+        document = tiny_scene()
+        self.whole = base64.b64decode(document["buffers"][0]["uri"].split(",")[1])
+        document["buffers"][0]["uri"] = "the%20corners.bin"
+        document["images"], document["textures"] = [{"uri": "paint.png"}], [{"source": 0}]
+        document["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {"index": 0}
+        self.buffer, self.image = self.folder / "the corners.bin", self.folder / "paint.png"
+        self.scene.write_text(json.dumps(document))
+        self.buffer.write_bytes(self.whole)
+
+    def assert_told(self, place, file, what):
+        self.assert_refused(["info", "tiny.gltf"], f'photopic: tiny.gltf#{place}/uri: "{file.name}": {what}; ')
+
+    def test_missing(self):
+        self.assert_told("/images/0", self.image, "there is no such file")
+        self.buffer.unlink()
+        self.assert_told("/buffers/0", self.buffer, "there is no such file")
+
+    def test_folders_and_pipes(self):
+        self.image.mkdir()
+        self.assert_told("/images/0", self.image, "is a folder")
+        self.buffer.unlink()
+        os.mkfifo(self.buffer)
+        self.assert_told("/buffers/0", self.buffer, "is a pipe or device, not a file")
+
+    @unittest.skipIf(os.geteuid() == 0, "root may read everything")
+    def test_protected(self):
+        self.image.touch(0o200)
+        self.assert_told("/images/0", self.image, "may not be read")
+        self.buffer.chmod(0o200)
+        self.assert_told("/buffers/0", self.buffer, "may not be read")
+
+    def test_cut_short(self):
+        self.image.write_bytes(b"\x89PNG\r\n\x1a\n")
+        self.assert_told("/images/0", self.image, "the PNG is cut short")
+        self.image.write_bytes(b"")
+        self.assert_told("/images/0", self.image, "the file holds 0 bytes where 1 are needed")
+        self.buffer.write_bytes(self.whole[:-1])
+        what = f"the file holds {len(self.whole) - 1} bytes where {len(self.whole)} are needed"
+        self.assert_told("/buffers/0", self.buffer, what)
 
 
 def document_of(path):

@@ -91,14 +91,73 @@ class Cameras(NamesTest):
         scene["scenes"].append({"name": "Other", "nodes": [len(scene["nodes"]) - 1]})
         self.write_scene(scene)
         for camera in ["close", "4", "index:4"]:
-            self.assert_refused(["info", "odd.gltf", "--camera", camera], f"--camera {camera}", 'scene 1 "Other"')
+            self.assert_refused(["info", "odd.gltf", "--camera", camera], f"--camera {camera}", 'scene 1 "Other"', "--scene index:1")
         self.assert_refused(["info", "odd.gltf", "--camera", "spare"], "in no scene")
         self.assert_refused(["info", "odd.gltf", "--camera", "6"], "no camera of that name or index")
-        self.assertEqual(self.width("plan"), (13, "warning: further scenes of the file are not rendered: 1\n"))
+        self.assertEqual(self.width("plan")[0], 13)
+        self.photopic("info", "odd.gltf", "--scene", "index:1", "--camera", "close")
 
     def test_help_says_how(self):
         for command in ["render", "info", "compare"]:
             self.assertIn("index:N", self.photopic(command, "--help").stdout)
+
+
+class Scenes(NamesTest):
+    """Four scenes, each with a camera whose resolution tells them apart; the default is the second."""
+
+    def setUp(self):
+        super().setUp()
+        scene = tiny_scene()
+        scene["cameras"] = [dict(scene["cameras"][0], extras={"resolution": [10 + i, 10]}) for i in range(4)]
+        scene["nodes"] += [{"camera": i} for i in range(4)]
+        scene["scenes"] = [{"name": name, "nodes": [0, 2 + i]} for i, name in enumerate(["day", "night", "day", "1"])]
+        scene["scene"] = 1
+        self.document = scene
+        self.write_scene(scene)
+
+    def width(self, *options):
+        result = self.photopic("render", "odd.gltf", "-o", "a.exr", "--sampler", "uniform", "--spp", "1", "--quiet",
+                               "--json", "a.json", *options)  # fmt: skip
+        return self.read_json("a.json")["resolution"][0], result.stderr
+
+    def test_the_default_is_rendered_and_the_option_told(self):
+        told = 'warning: of the file\'s 4 scenes scene 1 "night" is rendered; --scene chooses another\n'
+        self.assertEqual(self.width(), (11, told))
+        del self.document["scene"]
+        self.write_scene(self.document)
+        self.assertEqual(self.width()[0], 10)
+
+    def test_are_reached_by_name_and_by_index(self):
+        for scene, width in [("0", 10), ("night", 11), ("index:1", 11), ("2", 12), ("1", 13), ("index:3", 13)]:
+            self.assertEqual(self.width("--scene", scene), (width, ""), scene)
+
+    def test_namesakes_are_told(self):
+        width, stderr = self.width("--scene", "day")
+        self.assertEqual(width, 10)
+        self.assertEqual(stderr, "warning: --scene day: several scenes have that name; the first is taken, others "
+                                 "by their index, as index:2\n")  # fmt: skip
+
+    def test_what_is_no_scene_is_refused(self):
+        for scene in ["Night", "4", "index:4", "-1", "index:"]:
+            self.assert_refused(["info", "odd.gltf", f"--scene={scene}"], f"--scene {scene}: odd.gltf has no", '"night"')
+        del self.document["scenes"][1]["name"]
+        self.write_scene(self.document)
+        self.assert_refused(["info", "odd.gltf", "--scene", "night"], '"day", "index:1"')
+        self.assert_refused(["render", "odd.gltf", "-o", "a.exr", "--scene", ""], "--scene", "empty")
+        del self.document["scenes"], self.document["scene"]
+        self.write_scene(self.document)
+        self.assert_refused(["info", "odd.gltf", "--scene", "0"], "--scene 0", "leave the option out")
+
+    def test_info_lists_them(self):
+        text = self.photopic("info", "odd.gltf", "--scene", "2", "--json", "info.json").stdout
+        listed = [(scene["name"], scene["used"]) for scene in self.read_json("info.json")["scenes"]]
+        self.assertEqual(listed, [("day", False), ("night", False), ("day", True), ("1", False)])
+        self.assertRegex(text, r"1 +night +not used")
+
+    def test_compare_takes_one(self):
+        self.photopic("compare", "odd.gltf", "--scene", "2", "--samplers", "uniform", "--spp", "1", "--reference-spp",
+                      "2", "--json", "a.json", "--quiet")  # fmt: skip
+        self.assertEqual(self.read_json("a.json")["scene"]["resolution"], [12, 10])
 
 
 class StrayExtras(NamesTest):

@@ -38,6 +38,15 @@ class FullDisk(OutputTest):
             self.assertEqual((self.folder / name).read_text(), "precious")
         self.assert_no_partial_files()
 
+    def test_the_remedy_is_that_of_the_cause(self):
+        (self.folder / "full.exr").symlink_to("/dev/full")
+        result = self.run_photopic(*self.render("-o", "full.exr"))
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr, "photopic: full.exr: cannot be written: No space left on device; "
+                                        "free space on the disk or choose another\n")  # fmt: skip
+        self.assertIn("ulimit -f", self.run_limited(*self.render("-o", "a.exr")).stderr)
+        self.assertIn("a shorter name", self.run_photopic(*self.render("-o", "n" * 256 + ".exr")).stderr)
+
     def test_what_can_be_written_is(self):
         result = self.run_limited(*self.render("-o", "a.jpg", "-o", "b.exr", "-o", "c.png", "--json", "d.json"))
         self.assertEqual(result.returncode, 1)
@@ -85,6 +94,20 @@ class FullDisk(OutputTest):
             self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
             self.assertIn("standard output", result.stderr)
         self.assertIn("No space left", result.stderr)
+
+    def test_a_pipe_without_a_reader(self):
+        """As after `| head -1`: what goes there is missed, and nothing else."""
+        reader, writer = os.pipe()
+        os.close(reader)
+        for arguments in [["info", self.scene], self.render("-o", "a.png", "--stats"),
+                          ["info", self.scene, "--json", "/dev/stdout"]]:  # fmt: skip
+            result = subprocess.run([BINARY, *map(str, arguments)], cwd=self.folder, env=self.environment,
+                                    stdout=writer, stderr=subprocess.PIPE, text=True, timeout=DEADLINE)  # fmt: skip
+            self.assertEqual(result.returncode, 1, arguments)
+            self.assertIn("Broken pipe", result.stderr)
+        self.assertIn("what was to read it has ended", result.stderr)
+        os.close(writer)
+        self.assertTrue((self.folder / "a.png").exists())
 
 
 class WhereTheyLead(OutputTest):
@@ -181,7 +204,7 @@ class BrokenStderr(OutputTest):
     def test_pipe_without_a_reader(self):
         reader, writer = os.pipe()
         os.close(reader)
-        self.assert_works(writer, restore_signals=False)  # Python ignores SIGPIPE
+        self.assert_works(writer)
         os.close(writer)
 
 

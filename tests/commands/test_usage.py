@@ -9,14 +9,14 @@ from harness import CommandTest
 from tiny_scene import write_tiny_scene
 
 COMMANDS = {
-    "render": "--output --spp --sampler --wavelengths --emitter --distribution --resolution --camera --max-depth "
+    "render": "--output --spp --sampler --wavelengths --emitter --distribution --resolution --scene --camera --max-depth "
     "--sequence --exposure --seed --threads --quiet --json --stats --batch-size --no-cache "
     "--aov --spectral-bins",
     "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet "
     "--compare-wavelengths --nodes --reflectances",
-    "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter",
+    "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter --scene --camera",
     "diff": "--json --threads",
-    "info": "--emitter --resolution --camera --threads --json",
+    "info": "--emitter --resolution --scene --camera --threads --json",
     "spectrum": "--plot --json --quiet",
 }
 
@@ -44,7 +44,7 @@ class Refused(CommandTest):
 
     def test_bad_usage(self):
         self.assert_refused([], "--help")
-        self.assert_refused(["paint"], "paint")
+        self.assert_refused(["paint"], "paint: there is no such command; see")
         self.assert_refused(["render"], "SCENE", "photopic render --help")
         self.assert_refused(["render", self.scene], "--output")
         self.assert_refused(self.render("--frobnicate"), "frobnicate")
@@ -59,6 +59,8 @@ class Refused(CommandTest):
             (["render", "--emitter", "cie:A", "cie:D65", "-o", "a.exr", self.scene], [again.format("--emitter, --output")]),
             (["info", self.scene, "b", "c"], ["not expected: b c; see"]),
             (["render", "--out", "a.exr", self.scene], ["--out: there is no such option (--output?); see"]),
+            (["render", "--camra", "eye", self.scene], ["--camra: there is no such option (--camera?); see"]),
+            (["optimise", "cie:A"], ["optimise: there is no such command (optimize?); see"]),
             (["render", "--frob=1", self.scene], ["--frob: there is no such option; see"]),
             (["render", self.scene, "a.exr"], ["--output is required"]),
             (["render", "--", self.scene], ["--output is required"]),
@@ -67,7 +69,7 @@ class Refused(CommandTest):
             self.assert_refused(arguments, *needles)
 
     def test_options_given_too_often_or_without_a_value(self):
-        for option in ["--spp", "--seed", "--json", "--camera"]:
+        for option in ["--spp", "--seed", "--json", "--scene", "--camera"]:
             self.assert_refused(self.render(option, "1", option, "2"), option + " is given ", "times; give it once")
             self.assert_refused(["render", self.scene, "-o", "out.exr", option], option + ": its value is missing")
         self.assert_refused(["optimize", "cie:A", "-o", "a.json", "-o", "b.json"], "--output is given 2 times")

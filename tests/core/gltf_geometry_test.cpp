@@ -22,7 +22,7 @@ Scene load_geometry(const std::filesystem::path& file, const Material& material)
   const GltfDocument document = read_gltf_document(read_gltf_bytes(file), file);
   Scene scene;
   scene.materials.assign(document.model.materials.size() + 1, material);
-  load_gltf_geometry(document, walk_nodes(document, scene.warnings), scene);
+  load_gltf_geometry(document, walk_nodes(document, 0, scene.warnings), scene);
   return scene;
 }
 

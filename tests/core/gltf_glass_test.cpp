@@ -114,6 +114,32 @@ TEST_F(GltfTest, SolidGlassThatEnclosesNothingIsWarnedOf) {
   EXPECT_NE(only_warning(water).find("not closed"), std::string::npos);
 }
 
+/// A tetrahedron and another, of half its size and inside out, that stands where it is told.
+SquareFile glass_and_bubble(const std::string& materials, int bubble_material,
+                            const std::string& bubble_node) {
+  SquareFile file = tetrahedron(kSolid);
+  const std::vector<float> positions = tetrahedron_faces(0, 4, -0.5f);
+  const int accessor = file.add(positions, 5126, "VEC3", positions.size() / 3);
+  file.primitive +=
+      fmt::format(R"(}}]}}, {{"primitives": [{{"attributes": {{"POSITION": {}}}, "material": {})", accessor,
+                  bubble_material);
+  file.materials = materials;
+  file.nodes = fmt::format(R"([{{"mesh": 0, "translation": [0, 0, 5]}}, {{"mesh": 1, {}}}])", bubble_node);
+  file.roots = "[0, 1]";
+  return file;
+}
+
+TEST_F(GltfTest, BubblesOfTheirOwnMeshLookInwardsInTheirGlassAlone) {
+  const auto warnings = [&](int material, const std::string& node) {
+    return load(glass_and_bubble(fmt::format("[{0}, {0}]", kSolid), material, node).str()).warnings;
+  };
+  const std::string inside = R"("translation": [0.6, 0.6, 5.6])";
+  EXPECT_EQ(warnings(0, inside), std::vector<std::string>());
+  EXPECT_EQ(warnings(0, R"("translation": [0.6, 0.6, 0.6])").size(), 1u);
+  EXPECT_EQ(warnings(0, R"("translation": [0.6, 0.6, 6.1])").size(), 1u);  // it stands out of the glass
+  EXPECT_EQ(warnings(1, inside).size(), 1u);                               // in another glass it is no bubble
+}
+
 TEST_F(GltfTest, SoundSolidGlassIsNotWarnedOf) {
   const auto expect_quiet = [&](const SquareFile& file) {
     EXPECT_EQ(load(file.str()).warnings, std::vector<std::string>());

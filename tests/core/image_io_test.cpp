@@ -1,6 +1,7 @@
 #include "core/image_io.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -166,6 +167,49 @@ TEST_F(ImageIo, WhatCannotTakeItsPlaceIsKept) {
   EXPECT_EQ(file_count(), 2u);
 }
 
+/// While it lives, this process may have but so many bytes more than it has.
+class MemoryLimit {
+ public:
+  explicit MemoryLimit(rlim_t more) {
+    ::getrlimit(RLIMIT_AS, &before_);
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    rlimit limit = before_;
+    limit.rlim_cur = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + more;
+    ::setrlimit(RLIMIT_AS, &limit);
+  }
+  ~MemoryLimit() { ::setrlimit(RLIMIT_AS, &before_); }
+  MemoryLimit(const MemoryLimit&) = delete;
+  MemoryLimit& operator=(const MemoryLimit&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(ImageIo, WithoutMemoryForTheFileItSaysSo) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer's own memory would be limited, too";
+#endif
+  Image noise(3000, 3000);
+  std::uint32_t bits = 1;
+  for (float& value : noise.pixels) {
+    bits = bits * 1664525u + 1013904223u;
+    value = static_cast<float>(bits >> 8) * 0x1p-24f;
+  }
+  for (const char* name : {"a.exr", "a.hdr", "a.png", "a.jpg"}) {
+    write_image(folder_ / "small.exr", test_image());  // its threads are there before the limit
+    std::string told;
+    try {
+      const MemoryLimit limit(40'000'000);
+      write_image(folder_ / name, noise);
+    } catch (const InputError& error) {
+      told = error.what();
+    }
+    EXPECT_NE(told.find(std::string(name) + ": cannot be written: out of memory"), std::string::npos) << told;
+  }
+  EXPECT_EQ(file_count(), 1u);
+}
+
 TEST_F(ImageIo, AJpegHasALargestSize) {
   EXPECT_THROW(check_image_size("a.JPG", 65501, 1), InputError);
   EXPECT_THROW(check_image_size("a.jpeg", 1, 65501), InputError);
@@ -197,6 +241,17 @@ TEST_F(ImageIo, BadImagesAreRefused) {
 }
 
 /// A header alone, of 30,000 × 30,000 pixels: refused by its size, before anything is decoded.
+TEST_F(ImageIo, WhatIsNotEvenCalledAnImageIsToldShortly) {
+  std::ofstream(folder_ / "a.gltf") << "{}";
+  try {
+    read_image(folder_ / "a.gltf");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), (folder_ / "a.gltf").string() +
+                                ": this is no image that can be read; give an .exr, .hdr, .png or .jpg");
+  }
+}
+
 TEST_F(ImageIo, AbsurdSizesAreRefused) {
   std::ofstream stream(folder_ / "huge.hdr", std::ios::binary);
   stream << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 30000 +X 30000\n";

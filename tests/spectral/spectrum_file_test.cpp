@@ -189,7 +189,8 @@ TEST_F(SpectrumFile, GarbageIsRefused) {
                            6),
                "not a text file");
   expect_error("a.spd", "\x89PNG\r\n\x1a\n", "a.spd");
-  expect_message([&] { read_spectrum_file(folder_, Beyond::zero); }, "not a file");
+  expect_message([&] { read_spectrum_file(folder_, Beyond::zero); }, "is a folder");
+  expect_message([&] { read_spectrum_file("box.glb", Beyond::zero); }, "box.glb: is a scene, not a spectrum");
   expect_message([&] { read_spectrum_file(folder_ / "nothing.spd", Beyond::zero); }, "no such spectrum file");
   const fs::path large = write("large.spd", "400 1\n");
   fs::resize_file(large, (std::uintmax_t{64} << 20) + 1);

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
-#include <string_view>
 
 #include "core/framing.h"
 #include "core/gltf/name_choice.h"
+#include "core/gltf/scene_choice.h"
 #include "error.h"
 
 namespace photopic {
@@ -19,24 +18,12 @@ constexpr double kMaxPixels = 1 << 28;  // the film takes 56 bytes a pixel
 constexpr int kDefaultWidth = 640;
 constexpr double kDefaultAspect = 4.0 / 3.0;
 
-/// @return N of "N" or "index:N", or −1
-int parse_index(std::string_view text) {
-  constexpr std::string_view kPrefix = "index:";
-  if (text.starts_with(kPrefix)) text.remove_prefix(kPrefix.size());
-  int index = -1;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, index);
-  return error == std::errc() && rest == end ? index : -1;
-}
-
 /// Warns where the chosen camera shares its name with others of the file.
 void warn_of_namesakes(const std::string& name, const std::vector<int>& indices,
                        std::vector<std::string>& warnings) {
   const auto other = std::ranges::find_if(indices, [&](int index) { return index != indices.front(); });
   if (other == indices.end()) return;
-  warnings.push_back(fmt::format(
-      "--camera {}: several cameras have that name; the first is taken, others by their index, as index:{}",
-      name, *other));
+  warnings.push_back(namesake_warning("camera", name, *other));
 }
 
 bool is_called(const tinygltf::Model& model, const tinygltf::Node& node, const std::string& name) {
@@ -77,10 +64,9 @@ bool is_listed(const tinygltf::Model& model, const std::string& name) {
   std::string problem = "has no camera of that name or index";
   std::string remedy = names.empty() ? "add one, or leave the option out" : choose_one_of(names, name);
   if (const int scene = find_scene(document.model, name); scene >= 0) {
-    const std::string& title = document.model.scenes[scene].name;
-    problem = fmt::format("has that camera in scene {}{}, not in the one that is rendered", scene,
-                          title.empty() ? "" : fmt::format(" \"{}\"", title.substr(0, 60)));
-    remedy = fmt::format("make that scene the file's default, \"scene\": {}", scene);
+    problem = fmt::format("has that camera in scene {}, not in the one that is rendered",
+                          scene_title(document.model, scene));
+    remedy = fmt::format("render that one by --scene index:{}", scene);
   } else if (is_listed(document.model, name)) {
     problem = "has that camera in no scene";
     remedy = "give it a node there";

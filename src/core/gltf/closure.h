@@ -30,6 +30,8 @@ class MeshSurface {
     });
   }
 
+  const Boxd& box() const { return box_; }
+
   /// Closed: each edge is run through as often one way as the other. Inside out: the volume is negative.
   Closure closure() const {
     // Vertices in one cell of a grid count as one: exporters split them where normals or coordinates differ,

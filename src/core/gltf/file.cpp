@@ -4,41 +4,42 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <system_error>
 
 #include "error.h"
+#include "input_file.h"
 
 namespace photopic {
 namespace {
 
 constexpr std::uintmax_t kMaxFile = 0xFFFFFFFF;  // what a .glb's header can announce
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinChunk = 0x004E4942;
-constexpr const char* kReexport = "export the file again";
+constexpr const char *kReexport = "export the file again", *kCheckDisk = "check the disk it is on";
+constexpr std::size_t kLongestName = 200;
 
 /// @tparam Byte char or std::byte
+/// @param where names the file in messages
 template <typename Byte>
 std::vector<Byte> read_bytes(const std::filesystem::path& path, const std::string& where,
                              std::size_t at_least, std::size_t at_most) {
+  check_readable_file(path, where);
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    throw InputError(where, fmt::format("there is no file \"{}\"", path.string()),
-                     "check its name and folder");
-  }
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error || size < at_least) {
-    throw InputError(
-        where,
-        fmt::format("\"{}\" holds {} bytes where {} are needed", path.string(), error ? 0 : size, at_least),
-        "the file is cut short: copy or export it again");
+  if (error) throw InputError(where, "cannot be read: " + error.message(), kCheckDisk);
+  if (size < at_least) {
+    throw InputError(where, fmt::format("the file holds {} bytes where {} are needed", size, at_least),
+                     "it is cut short: copy or export it again");
   }
   if (size > kMaxFile && at_most > kMaxFile)
-    throw InputError(where, fmt::format("\"{}\" is larger than 4 GiB", path.string()), "split the scene");
+    throw InputError(where, "the file is larger than 4 GiB", "split the scene");
   std::vector<Byte> bytes(std::min<std::uintmax_t>(size, at_most));
   std::ifstream stream(path, std::ios::binary);
   if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))) {
-    throw InputError(where, fmt::format("\"{}\" cannot be read", path.string()), "check its permissions");
+    throw InputError(where, "cannot be read: " + std::generic_category().message(errno), kCheckDisk);
   }
   return bytes;
 }
@@ -181,7 +182,8 @@ std::vector<std::byte> read_gltf_uri(const std::string& uri, std::optional<std::
   const std::filesystem::path file = gltf_uri_file(uri, folder);
   if (file.empty())
     throw InputError(where, "the uri is not a local file", "download it beside the glTF file");
-  return read_bytes<std::byte>(file, where, byte_length.value_or(1), byte_length.value_or(SIZE_MAX));
+  const std::string named = fmt::format("{}: \"{}\"", where, file.string().substr(0, kLongestName));
+  return read_bytes<std::byte>(file, named, byte_length.value_or(1), byte_length.value_or(SIZE_MAX));
 }
 
 }  // namespace photopic

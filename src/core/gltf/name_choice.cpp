@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -25,6 +26,21 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
       diagonal = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, diagonal + (c != b[j - 1])}));
   }
   return row.back();
+}
+
+int parse_index(std::string_view text) {
+  constexpr std::string_view kPrefix = "index:";
+  if (text.starts_with(kPrefix)) text.remove_prefix(kPrefix.size());
+  int index = -1;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, index);
+  return error == std::errc() && rest == end ? index : -1;
+}
+
+std::string namesake_warning(std::string_view kind, const std::string& name, int other) {
+  return fmt::format(
+      "--{0} {1}: several {0}s have that name; the first is taken, others by their index, as index:{2}", kind,
+      name, other);
 }
 
 std::string choose_one_of(std::span<const std::string> names, const std::string& wanted) {

@@ -59,8 +59,8 @@ void check_cycles(const GltfDocument& document) {
   }
 }
 
-std::vector<int> scene_roots(const tinygltf::Model& model) {
-  if (!model.scenes.empty()) return model.scenes[model.defaultScene >= 0 ? model.defaultScene : 0].nodes;
+std::vector<int> scene_roots(const tinygltf::Model& model, int scene) {
+  if (scene >= 0) return model.scenes[static_cast<std::size_t>(scene)].nodes;
   std::vector<bool> is_child(model.nodes.size(), false);
   for (const auto& node : model.nodes) {
     for (const int child : node.children) is_child[child] = true;
@@ -92,7 +92,8 @@ Affine local_transform(const GltfDocument& document, int index) {
   return local;
 }
 
-std::vector<NodeInstance> walk_nodes(const GltfDocument& document, std::vector<std::string>& warnings) {
+std::vector<NodeInstance> walk_nodes(const GltfDocument& document, int scene,
+                                     std::vector<std::string>& warnings) {
   check_cycles(document);
   const auto& nodes = document.model.nodes;
   std::vector<NodeInstance> found, pending;
@@ -103,7 +104,7 @@ std::vector<NodeInstance> walk_nodes(const GltfDocument& document, std::vector<s
   };
 
   int deepest = 0;
-  push_reversed(scene_roots(document.model), Affine{}, 0, true);
+  push_reversed(scene_roots(document.model, scene), Affine{}, 0, true);
   for (std::size_t visits = 0; !pending.empty(); ++visits) {
     NodeInstance instance = pending.back();
     pending.pop_back();

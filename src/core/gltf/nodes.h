@@ -23,10 +23,12 @@ struct NodeInstance {
 /// @throws InputError for a quaternion of zero, for a matrix whose last row is not 0 0 0 1 but for rounding
 Affine local_transform(const GltfDocument& document, int node);
 
-/// The default scene's nodes (else the first scene's, else every root), parents first, in the file's order.
+/// The scene's nodes, parents first, in the file's order.
 /// Chains so long that they are hardly meant are told in `warnings`.
+/// @param scene −1: every root is one of its nodes
 /// @throws InputError on cycles, on graphs that multiply beyond all bounds, on transformations that are not
 /// finite
-std::vector<NodeInstance> walk_nodes(const GltfDocument& document, std::vector<std::string>& warnings);
+std::vector<NodeInstance> walk_nodes(const GltfDocument& document, int scene,
+                                     std::vector<std::string>& warnings);
 
 }  // namespace photopic

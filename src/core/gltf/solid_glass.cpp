@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/gltf/closure.h"
+#include "core/gltf/instancing.h"
 #include "core/surface.h"
 
 namespace photopic {
@@ -35,10 +36,10 @@ std::set<std::uint32_t> meshes_of(const GltfDocument& document, const std::vecto
   return meshes;
 }
 
-Closure closure_of(const GltfDocument& document, const std::vector<PrimitiveRef>& primitives) {
+MeshSurface surface_of(const GltfDocument& document, const std::vector<PrimitiveRef>& primitives) {
   MeshSurface surface;
   for (const PrimitiveRef& ref : primitives) surface.add(document, ref);
-  return surface.closure();
+  return surface;
 }
 
 /// Of all that is drawn of a mesh.
@@ -47,19 +48,21 @@ Closure closure_of(const GltfDocument& document, std::uint32_t mesh) {
   const auto& primitives = document.model.meshes[mesh].primitives;
   for (std::uint32_t i = 0; i < primitives.size(); ++i)
     if (is_drawn(primitives[i])) drawn.push_back({mesh, i});
-  return closure_of(document, drawn);
+  return surface_of(document, drawn).closure();
 }
 
-struct FaultyMeshes {
-  std::uint32_t first;
-  std::size_t count = 0;
+/// The part of a mesh that is of one solid glass.
+struct GlassBody {
+  std::uint32_t mesh;
+  std::size_t material;
+  Closure closure;
+  Boxd box;       ///< as the mesh has it
+  Boxd placed{};  ///< in the world, where the mesh stands first
 };
-/// By glass and by what is wrong with it.
-using GlassFaults = std::map<std::pair<std::size_t, Closure>, FaultyMeshes>;
 
 /// What a glass leaves open another material of its mesh may close: a label, say.
-void find_faults(const GltfDocument& document, std::uint32_t mesh, const std::vector<bool>& encloses,
-                 GlassFaults& faults) {
+void find_bodies(const GltfDocument& document, std::uint32_t mesh, const std::vector<bool>& encloses,
+                 std::vector<GlassBody>& bodies) {
   std::map<std::size_t, std::vector<PrimitiveRef>> glasses;
   const auto& primitives = document.model.meshes[mesh].primitives;
   for (std::uint32_t i = 0; i < primitives.size(); ++i) {
@@ -69,15 +72,52 @@ void find_faults(const GltfDocument& document, std::uint32_t mesh, const std::ve
   }
   std::optional<Closure> whole;
   for (const auto& [material, own] : glasses) {
-    Closure closure = closure_of(document, own);
+    const MeshSurface surface = surface_of(document, own);
+    Closure closure = surface.closure();
     if (closure == Closure::open && own.size() < primitives.size()) {
       if (!whole) whole = closure_of(document, mesh);
       closure = *whole;
     }
-    if (closure != Closure::closed)
-      ++faults.try_emplace({material, closure}, FaultyMeshes{mesh}).first->second.count;
+    bodies.push_back({mesh, material, closure, surface.box()});
   }
 }
+
+Boxd world_box(const Boxd& box, const Affine& to_world) {
+  Boxd placed;
+  for (int i = 0; i < 8 && !box.is_empty(); ++i) placed.add(to_world.point(box.corner(i)));
+  return placed;
+}
+
+bool holds(const Boxd& outer, const Boxd& inner) {
+  const auto ordered = [](Vec3d a, Vec3d b) { return a.x <= b.x && a.y <= b.y && a.z <= b.z; };
+  return ordered(outer.low, inner.low) && ordered(inner.high, outer.high);
+}
+
+/// What looks inwards in a body of the same glass is a bubble in it. Their boxes decide.
+/// @param bodies by rising mesh
+void drop_bubbles(const GltfDocument& document, const std::vector<NodeInstance>& nodes,
+                  std::vector<GlassBody>& bodies) {
+  if (std::ranges::count(bodies, Closure::inside_out, &GlassBody::closure) == 0) return;
+  std::map<std::size_t, std::vector<Boxd>> closed;  // by glass, in the world
+  for (const NodeInstance& place : list_mesh_places(document, nodes)) {
+    const auto mesh = static_cast<std::uint32_t>(document.model.nodes[place.node].mesh);
+    for (GlassBody& body : std::ranges::equal_range(bodies, mesh, {}, &GlassBody::mesh)) {
+      const Boxd placed = world_box(body.box, place.to_world);
+      if (body.closure == Closure::closed) closed[body.material].push_back(placed);
+      if (body.placed.is_empty()) body.placed = placed;
+    }
+  }
+  std::erase_if(bodies, [&](const GlassBody& body) {
+    return body.closure == Closure::inside_out &&
+           std::ranges::any_of(closed[body.material],
+                               [&](const Boxd& box) { return holds(box, body.placed); });
+  });
+}
+
+struct FaultyMeshes {
+  std::uint32_t first;
+  std::size_t count = 0;
+};
 
 std::string quoted(const std::string& name) {
   return fmt::format("\"{}\"", name.substr(0, 60));
@@ -126,9 +166,14 @@ void warn_of_unsound_glass(const GltfDocument& document, const std::vector<NodeI
     encloses.push_back(m.transmission > 0.0f && !m.thin_walled && Surface(m).encloses);
   if (std::ranges::count(encloses, true) == 0) return;
 
-  GlassFaults faults;
+  std::vector<GlassBody> bodies;
   for (const std::uint32_t mesh : meshes_of(document, nodes, false))
-    find_faults(document, mesh, encloses, faults);
+    find_bodies(document, mesh, encloses, bodies);
+  drop_bubbles(document, nodes, bodies);
+  std::map<std::pair<std::size_t, Closure>, FaultyMeshes> faults;  // by glass and by what is wrong with it
+  for (const GlassBody& body : bodies)
+    if (body.closure != Closure::closed)
+      ++faults.try_emplace({body.material, body.closure}, FaultyMeshes{body.mesh}).first->second.count;
   for (const auto& [glass, meshes] : faults) {
     const auto& [material, closure] = glass;
     const bool open = closure == Closure::open;
