@@ -13,7 +13,14 @@
 
 namespace photopic {
 
-/// The wavelengths of 16 paths, and where they lie in the tables of a CompiledSampler.
+/// Where the wavelengths of a path lie in the tables of a CompiledSampler.
+template <int N>
+struct WavelengthPlaces {
+  std::array<std::uint32_t, N> cell;
+  SampledSpectrum<N> fraction;  ///< of the cell
+};
+
+/// The wavelengths of 16 paths, and where they lie in the tables.
 template <int N>
 struct WavelengthLanes {
   SpectrumLanes<N> lambda;  ///< [nm]
@@ -21,6 +28,15 @@ struct WavelengthLanes {
 
   std::array<std::array<std::uint32_t, kLanes>, N> cell;
   SpectrumLanes<N> fraction;  ///< of the cell
+
+  WavelengthPlaces<N> place(int path) const {
+    WavelengthPlaces<N> places;
+    for (std::size_t k = 0; k < N; ++k) {
+      places.cell[k] = cell[k][static_cast<std::size_t>(path)];
+      places.fraction.v[k] = lane(fraction.v[k], path);
+    }
+    return places;
+  }
 };
 
 /// A wavelength sampler together with what every path looks up at its wavelengths, the observer and the
@@ -42,6 +58,18 @@ class CompiledSampler {
   template <int N>
   PHOTOPIC_INLINE std::array<SpectrumLanes<N>, 4> look_up(const WavelengthLanes<N>& w,
                                                           std::size_t first) const;
+
+  /// One of those spectra for one path.
+  template <int N>
+  SampledSpectrum<N> look_up(const WavelengthPlaces<N>& w, std::size_t spectrum) const {
+    const std::vector<Columns>& columns = columns_[spectrum / 4];
+    SampledSpectrum<N> values;
+    for (std::size_t k = 0; k < N; ++k) {
+      const Columns& c = columns[w.cell[k]];
+      values.v[k] = c.at_begin[spectrum % 4] + c.rise[spectrum % 4] * w.fraction.v[k];
+    }
+    return values;
+  }
 
  private:
   /// Four spectra's values where a cell begins, and what is added up to its end.

@@ -67,9 +67,8 @@ class NonFiniteWatch : public StageWatch {
     const PathWavelengths<N>& w = batch_.wavelengths[slot];
     bool finite = is_finite(w.lambda);
     for (const SampledSpectrum<N>& weight : w.xyz_per_radiance) finite = finite && is_finite(weight);
-    const std::size_t spectra = batch_.emission_count();
-    for (std::size_t k = 0; k < spectra; ++k)
-      finite = finite && is_finite(batch_.emission[slot * spectra + k]);
+    for (std::size_t k = 0; k < batch_.emission.count(); ++k)
+      finite = finite && is_finite(batch_.emission(slot, static_cast<int>(k)));
     return finite;
   }
 

@@ -7,6 +7,7 @@
 #include "core/accel.h"
 #include "core/bsdf.h"
 #include "core/prepared_scene.h"
+#include "integrator/emission_array.h"
 #include "integrator/media.h"
 #include "integrator/path_start.h"
 #include "integrator/slot_queue.h"
@@ -38,20 +39,21 @@ class StreamArray {
 template <int N>
 struct PathBatch {
   /// What a scene does not have is not stored.
-  PathBatch(std::size_t capacity, Sequence sequence, const PreparedScene& scene)
+  PathBatch(std::size_t capacity, Sequence sequence, const PreparedScene& scene,
+            const CompiledSampler& sampler)
       : rays(capacity),
         hits(capacity),
         pixel(capacity),
         stream(capacity, sequence),
         wavelengths(capacity),
-        emission(capacity * scene.scene.emission_spectra.size()),
+        emission(capacity, scene.scene.emission_spectra.size(), sampler),
         throughput(capacity),
         radiance(capacity),
         eta_scale(capacity),
         media(has_media(scene) ? capacity : 0),
         vertex(capacity),
         normal(scene.lights.uses_normals() ? capacity : 0),
-        spectrum_choice(scene.lights.several_spectra() ? emission.size() : 0),
+        spectrum_choice(scene.lights.several_spectra() ? capacity * emission.count() : 0),
         tints(scene.scene.environment ? capacity : 0),
         shadow_rays(capacity),
         shadow_radiance(capacity),
@@ -60,36 +62,18 @@ struct PathBatch {
         shadowed(capacity),
         pane_shadowed(capacity),
         sorted(capacity),
-        bucket(capacity),
-        emission_count_(scene.scene.emission_spectra.size()) {}
+        bucket(capacity) {}
 
   /// The wavelengths of a packet's paths [nm].
   PHOTOPIC_INLINE SpectrumLanes<N> lambda_of(const Packet& packet) const {
     return gather_spectra<N>([&](int i) { return &wavelengths[packet[i]].lambda; });
   }
 
-  /// Emission spectrum k at the slot's wavelengths.
-  SampledSpectrum<N>& emission_of(std::uint32_t slot, int k) {
-    return emission[slot * emission_count_ + static_cast<std::size_t>(k)];
-  }
-
-  /// Emission spectra at the wavelengths of a packet's paths, one for each.
-  PHOTOPIC_INLINE SpectrumLanes<N> emissions_of(const Packet& packet, IntLanes spectra) const {
-    return gather_spectra<N>(
-        [&](int i) { return &emission[packet[i] * emission_count_ + static_cast<std::size_t>(spectra[i])]; });
-  }
-
-  std::size_t emission_count() const { return emission_count_; }
-  /// All of them.
-  std::span<SampledSpectrum<N>> emissions_of(std::uint32_t slot) {
-    return std::span(emission).subspan(slot * emission_count_, emission_count_);
-  }
-
   /// The probabilities of each spectrum's lights at the slot's last vertex; empty where there is one
   /// spectrum.
   std::span<float> spectra_of(std::uint32_t slot) {
     if (spectrum_choice.empty()) return {};
-    return std::span(spectrum_choice).subspan(slot * emission_count_, emission_count_);
+    return std::span(spectrum_choice).subspan(slot * emission.count(), emission.count());
   }
 
   /// What bounds the medium in front of the surface that was hit, or null.
@@ -108,7 +92,7 @@ struct PathBatch {
   std::vector<std::uint32_t> pixel;
   StreamArray stream;
   std::vector<PathWavelengths<N>> wavelengths;
-  std::vector<SampledSpectrum<N>> emission;
+  EmissionArray<N> emission;
   std::vector<SampledSpectrum<N>> throughput;  ///< β, per wavelength
   std::vector<SampledSpectrum<N>> radiance;    ///< gathered so far [cd/m² per unit emission spectrum]
   std::vector<float> eta_scale;  ///< η² of the interfaces crossed: what roulette must not mistake for loss
@@ -133,9 +117,6 @@ struct PathBatch {
   std::vector<std::uint32_t> sorted;  ///< the active by their BSDFs
   std::vector<std::uint8_t> bucket;   ///< of each of the active
   std::array<std::span<const std::uint32_t>, kBsdfKinds> by_kind;  ///< parts of the sorted
-
- private:
-  std::size_t emission_count_;
 };
 
 }  // namespace photopic

@@ -19,7 +19,7 @@ PathTracer<N, kHas>::PathTracer(const PreparedScene& scene, const CompiledSample
     : scene_(scene),
       sampler_(sampler),
       options_(options),
-      batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene),
+      batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene, sampler),
       shading_(scene) {
   if (has_media()) camera_media_ = media_at(scene, scene.scene.camera.position);
 }
@@ -85,19 +85,7 @@ void PathTracer<N, kHas>::draw_wavelengths(const Packet& packet, UintLanes bits)
     batch_.wavelengths[packet[i]] = {lambda[k], weight[k], {wx[k], wy[k], wz[k]}};
     if (kHas.environment && !batch_.tints.empty()) batch_.tints[packet[i]] = SampledTints<N>(lambda[k]);
   }
-  const std::size_t emissions = batch_.emission_count();
-  if (emissions > 0) set_emissions(packet, 0, emission);
-  for (std::size_t e = 1; e < emissions; e += 4) {
-    const auto four = sampler_.look_up(drawn, 3 + e);
-    for (std::size_t i = 0; i < 4 && e + i < emissions; ++i) set_emissions(packet, e + i, four[i]);
-  }
-}
-
-template <int N, Features kHas>
-void PathTracer<N, kHas>::set_emissions(const Packet& packet, std::size_t e, const SpectrumLanes<N>& values) {
-  const auto by_path = by_lane(values);
-  for (int i = 0; i < packet.count; ++i)
-    batch_.emissions_of(packet[i])[e] = by_path[static_cast<std::size_t>(i)];
+  batch_.emission.set(packet, drawn, emission);
 }
 
 template <int N, Features kHas>
@@ -127,7 +115,7 @@ void PathTracer<N, kHas>::escape() {
     if (batch_.hits[slot].shape != kNoHit || is_lost(slot)) continue;
     const Vec3f direction = batch_.rays.direction[slot], rgb = environment.radiance(direction);
     SampledSpectrum<N> arriving = batch_.throughput[slot] * batch_.tints[slot](rgb.x, rgb.y, rgb.z) *
-                                  batch_.emission_of(slot, environment.emission_spectrum);
+                                  batch_.emission(slot, environment.emission_spectrum);
     if (has_media())
       attenuate(arriving, scene_, batch_.media[slot].current(), batch_.wavelengths[slot].lambda,
                 std::numeric_limits<float>::infinity());
@@ -156,7 +144,7 @@ void PathTracer<N, kHas>::absorb_and_emit() {
     if (const float pdf = batch_.vertex.w(slot); pdf != 0.0f)
       weight *= power_heuristic(pdf, scene_.lights.pdf(batch_.vertex_of(slot), batch_.spectra_of(slot),
                                                        hit.shape, hit.triangle, hit.t));
-    SampledSpectrum<N> emitted = batch_.emission_of(slot, surface.emission_spectrum);
+    SampledSpectrum<N> emitted = batch_.emission(slot, surface.emission_spectrum);
     if (kHas.textures && surface.emission_varies)
       emitted *=
           ShadingMaterial<N>(surface, batch_.wavelengths[slot].lambda, {geometry, hit}).emission_tint();

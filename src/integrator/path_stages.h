@@ -34,7 +34,6 @@ class PathTracer {
   void advance(std::span<const PathKey> paths);
   void start(std::span<const PathKey> paths);
   void draw_wavelengths(const Packet& packet, UintLanes bits);
-  void set_emissions(const Packet& packet, std::size_t e, const SpectrumLanes<N>& values);
   void leave_camera(const Packet& packet, const RayLanes& rays);
   void intersect(bool coherent);
   void escape();

@@ -55,7 +55,7 @@ std::span<const float> ShadingStage<N, kHas>::weigh_spectra(PathBatch<N>& batch,
   const std::span<float> spectra = batch.spectra_of(slot);
   const SampledSpectrum<N> importance = batch.throughput[slot] * batch.wavelengths[slot].importance();
   for (std::size_t k = 0; k < spectra.size(); ++k)
-    spectra[k] = (importance * batch.emission_of(slot, static_cast<int>(k))).sum();
+    spectra[k] = (importance * batch.emission(slot, static_cast<int>(k))).sum();
   scene_.lights.spectrum_probabilities(spectra);
   return spectra;
 }
@@ -122,7 +122,7 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
 
   // What would arrive?
   const SpectrumLanes<N> arriving = gather(batch.throughput.data(), packet) * value.f_cos *
-                                    batch.emissions_of(packet, lights.spectrum) * weight;
+                                    batch.emission.gather(packet, lights.spectrum) * weight;
   const LaneSpectra<N> by_path = by_lane(arriving);
   for_each_lane((value.pdf != 0.0f) & ~arriving.is_black(), [&](int i) {
     const std::uint32_t slot = packet[i];

@@ -90,7 +90,9 @@ void expect_plain(const WavelengthSampler& sampler, const Observer& observer,
       looked_up.push_back(compiled.look_up(drawn, first));
     for (int i = 0; i < kLanes; ++i) {
       const auto plain = plain_sampler(bits[i]);
+      const SampledSpectrum<N> alone = compiled.look_up(drawn.place(i), 2 + lamps.size());
       for (std::size_t j = 0; j < N; ++j) {
+        ASSERT_EQ(alone[static_cast<int>(j)], looked_up.back()[(2 + lamps.size()) % 4].v[j][i]);
         const double nm = plain.lambda[j];
         const auto value = [&](std::size_t s) { return double{looked_up[s / 4][s % 4].v[j][i]}; };
         ASSERT_GE(drawn.lambda.v[j][i], kLambdaMin);

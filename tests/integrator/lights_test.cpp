@@ -232,20 +232,27 @@ TEST(EnvironmentLight, Oracle) {
   EXPECT_LT(luminance(clever.film).error, 0.005 * luminance(clever.film).mean);
 }
 
-/// 300 lamps of three spectra, chosen by wavelength and by the tree, against the oracle.
-TEST(ManyLights, Oracle) {
+/// A room with 300 lamps. @param make_lamps their materials
+template <typename MakeLamps>
+Scene many_lights(const MakeLamps& make_lamps) {
   SceneBuilder b;
   const auto grey = b.material(diffuse(ConstantSpectrum{0.6}));
   b.box({-2, -2, 0}, {2, 2, 2}, grey, true);
   b.box({-0.9, 0, 0}, {-0.4, 0.5, 0.9}, b.material(metal(upsample_reflectance({0.9, 0.6, 0.3}), 0.4f)));
   b.sphere({0.5, 0.3, 0.5}, 0.4, 2, b.material(solid_glass(1.5f, 0.4f)));
-  const std::uint32_t lamps[] = {b.lamp(fl11(), 10), b.lamp(BlackbodySpectrum{2700}, 20),
-                                 b.lamp(d65(), 5, true)};
+  const std::vector<std::uint32_t> lamps = make_lamps(b);
   for (int i = 0; i < 300; ++i)
     b.ceiling({-1.9 + 0.2 * (i % 20), -1.9 + 0.26 * (i / 20), 1.6 + 0.3 * ((i * 7) % 10) / 10.0}, 0.06, 0.08,
-              lamps[i % 3]);
+              lamps[static_cast<std::size_t>(i) % lamps.size()]);
   b.camera({0, -1.9, 1.0}, {0, 1, 0.7}, 75, 16, 16);
-  const PreparedScene scene(b.build());
+  return b.build();
+}
+
+/// Of three spectra, chosen by wavelength and by the tree, against the oracle.
+TEST(ManyLights, Oracle) {
+  const PreparedScene scene(many_lights([](SceneBuilder& b) {
+    return std::vector{b.lamp(fl11(), 10), b.lamp(BlackbodySpectrum{2700}, 20), b.lamp(d65(), 5, true)};
+  }));
   EXPECT_TRUE(scene.lights.several_spectra());
   EXPECT_TRUE(scene.lights.uses_normals());
   for (const WavelengthSampler& s :
@@ -256,6 +263,23 @@ TEST(ManyLights, Oracle) {
     expect_same_image(clever.film, render_naive(scene, s, o).film, 2, std::string(sampler_name(s)));
     EXPECT_EQ(clever.stats.non_finite, 0u);
   }
+}
+
+/// Of 30 spectra, which are looked up as they are met.
+TEST(ManyLights, OfManyColors) {
+  const PreparedScene scene(many_lights([](SceneBuilder& b) {
+    std::vector<std::uint32_t> lamps;
+    for (int k = 0; k < 30; ++k)
+      lamps.push_back(b.lamp(BlackbodySpectrum{1500.0 + 300.0 * k}, 10, k % 3 == 0));
+    return lamps;
+  }));
+  EXPECT_FALSE(scene.lights.several_spectra());
+  const WavelengthSampler sampler = all_samplers(scene_emission(scene))[3];
+  RenderOptions o{.spp = 700, .sequence = Sequence::independent, .seed = 5, .max_depth = 6};
+  const RenderResult clever = render(scene, sampler, o);
+  o.seed = 6, o.spp = 2000;
+  expect_same_image(clever.film, render_naive(scene, sampler, o).film, 2, "colours");
+  EXPECT_EQ(clever.stats.non_finite, 0u);
 }
 
 }  // namespace

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <limits>
 #include <numbers>
+#include <set>
 
 namespace photopic {
 namespace {
 
-/// From so many lights on, walking the tree costs less than it saves.
-constexpr std::size_t kTreeFrom = 32;
+/// From so many lights on, walking trees costs less than it saves.
+constexpr std::ptrdiff_t kTreesFrom = 32;
+/// Then a tree for each of more kinds of light costs more than to know the kind saves: one holds all.
+constexpr std::size_t kMostTrees = 4;
 
 /// Power says little about how lights within the scene compare with those beyond it: of what use is the sky
 /// in a closed room, or a lamp in a landscape? Neither kind gets less than this share of the choices.
@@ -58,9 +61,7 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
     : area_lights_(scene, surfaces),
       punctual_lights_(scene.punctual_lights),
       environment_(scene.environment),
-      groups_(scene.emission_spectra.size()),
-      power_of_spectrum_(groups_.size()),
-      share_of_spectrum_(groups_.size()) {
+      power_of_spectrum_(scene.emission_spectra.size()) {
   // The power of every light.
   std::vector<double> power;
   std::vector<int> spectrum;
@@ -72,13 +73,16 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
     add(environment_->flux_density() * kPiD * radius * radius, environment_->emission_spectrum);
   places_.resize(power.size());
 
+  const std::size_t kinds = std::set(spectrum.begin(), spectrum.end()).size();
+  const bool in_trees = std::ranges::count_if(power, [](double p) { return p > 0.0; }) >= kTreesFrom;
+  groups_.resize(in_trees && kinds > kMostTrees ? 1 : power_of_spectrum_.size());
+  share_of_group_.resize(groups_.size());
   double bounded = 0.0, unbounded = 0.0;
   std::vector<std::vector<std::uint32_t>> members(groups_.size());
   for (std::uint32_t i = 0; i < power.size(); ++i) {
     if (!(power[i] > 0.0)) continue;
-    const auto k = static_cast<std::size_t>(spectrum[i]);
-    members[k].push_back(i);
-    power_of_spectrum_[k] += power[i];
+    members[group_of(spectrum[i])].push_back(i);
+    power_of_spectrum_[static_cast<std::size_t>(spectrum[i])] += power[i];
     (is_unbounded(i) ? unbounded : bounded) += power[i];
   }
 
@@ -90,13 +94,13 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
   for (std::uint32_t i = 0; i < power.size(); ++i) power[i] *= (is_unbounded(i) ? factor : 1.0) / total;
   for (std::size_t k = 0; k < groups_.size(); ++k) {
     if (members[k].empty()) continue;
-    ++lit_spectra_;
-    only_spectrum_ = static_cast<int>(k);
-    make_group(groups_[k], members[k], power);
-    for (const std::uint32_t i : members[k]) share_of_spectrum_[k] += static_cast<float>(power[i]);
+    ++lit_groups_;
+    only_group_ = k;
+    make_group(groups_[k], members[k], power, in_trees);
+    for (const std::uint32_t i : members[k]) share_of_group_[k] += static_cast<float>(power[i]);
   }
-  if (lit_spectra_ == 1) {
-    const auto& lights = groups_[static_cast<std::size_t>(only_spectrum_)].lights;
+  if (lit_groups_ == 1) {
+    const auto& lights = groups_[only_group_].lights;
     if (lights.size() == 1 && lights[0] < area_lights_.list().size()) only_area_light_ = lights[0];
   }
 }
@@ -114,7 +118,7 @@ LightBounds LightSampler::bounds_of(std::uint32_t light) const {
 }
 
 void LightSampler::make_group(Group& group, std::span<const std::uint32_t> members,
-                              std::span<const double> weight) {
+                              std::span<const double> weight, bool in_trees) {
   const auto bounded = static_cast<std::size_t>(
       std::ranges::count_if(members, [this](std::uint32_t i) { return !is_unbounded(i); }));
   std::vector<double> entries;
@@ -123,7 +127,7 @@ void LightSampler::make_group(Group& group, std::span<const std::uint32_t> membe
     entries.push_back(w);
     return static_cast<std::uint32_t>(entries.size() - 1);
   };
-  if (bounded >= kTreeFrom) {
+  if (in_trees && bounded > 1) {
     uses_normals_ = true;
     const std::uint32_t entry = add_entry(kNoLight, 0.0);
     std::vector<LightBounds> bounds;
@@ -145,11 +149,11 @@ void LightSampler::make_group(Group& group, std::span<const std::uint32_t> membe
 
 void LightSampler::spectrum_probabilities(std::span<float> brightness) const {
   float total = 0.0f;
-  for (std::size_t k = 0; k < brightness.size(); ++k) total += brightness[k] *= share_of_spectrum_[k];
+  for (std::size_t k = 0; k < brightness.size(); ++k) total += brightness[k] *= share_of_group_[k];
   if (total > 0.0f && total < std::numeric_limits<float>::infinity()) {
     for (float& b : brightness) b /= total;
   } else if (total != 0.0f) {  // not a number: it shall be seen in the result
-    std::ranges::copy(share_of_spectrum_, brightness.begin());
+    std::ranges::copy(share_of_group_, brightness.begin());
   }
 }
 
@@ -191,7 +195,7 @@ float LightSampler::choice_probability(const LightReference& at, std::span<const
                                        std::uint32_t light) const {
   const Place& place = places_[light];
   if (place.entry == kNoLight) return 0.0f;
-  const auto k = static_cast<std::size_t>(spectrum);
+  const std::size_t k = group_of(spectrum);
   const Group& group = groups_[k];
   float probability = group.table.probability(place.entry);
   if (!spectra.empty()) probability *= spectra[k];

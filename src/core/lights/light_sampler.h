@@ -12,20 +12,20 @@
 
 namespace photopic {
 
-/// Chooses lights for next-event estimation: first an emission spectrum, by what its lights may add to the
-/// path's wavelengths; then a light that has it, by power, or by the light tree where they are many; then a
-/// direction to that light.
+/// Chooses lights for next-event estimation: where lamps are of a few kinds, first an emission spectrum, by
+/// what its lights may add to the path's wavelengths; then a light that has it, by power, or by the light
+/// tree where they are many; then a direction to that light.
 class LightSampler {
  public:
   /// @param radius of a sphere about the scene: what directional lights and the environment light [m]
   /// @param surfaces of the scene's materials; where there are none, nothing varies over them
   explicit LightSampler(const Scene& scene, double radius = 1.0, std::span<const Surface> surfaces = {});
 
-  bool empty() const { return lit_spectra_ == 0; }
+  bool empty() const { return lit_groups_ == 0; }
 
-  /// Whether lights differ in spectrum, so that the functions below want the probabilities of each. With one
-  /// spectrum alone they are given an empty list.
-  bool several_spectra() const { return lit_spectra_ > 1; }
+  /// Whether a spectrum is chosen first, so that the functions below want the probabilities of each. Else
+  /// they are given an empty list.
+  bool several_spectra() const { return lit_groups_ > 1; }
 
   /// Whether the choice depends on the normal of the LightReference.
   bool uses_normals() const { return uses_normals_; }
@@ -59,7 +59,8 @@ class LightSampler {
   const std::vector<double>& power_of_spectrum() const { return power_of_spectrum_; }
 
  private:
-  /// The lights of one spectrum: choices between single lights, one of which may stand for a tree of them.
+  /// The lights of one spectrum, or all: choices between single lights, one of which may stand for a tree of
+  /// them.
   struct Group {
     AliasTable table;
     std::vector<std::uint32_t> lights;  ///< of each entry of the table; kNoLight: the tree
@@ -86,9 +87,14 @@ class LightSampler {
   /// The tree beside which there is no light, or null.
   const LightTree* only_tree() const;
   void fill_emission(const std::array<const AreaLight*, kLanes>& lights, LightSampleLanes& samples) const;
-  void make_group(Group& group, std::span<const std::uint32_t> members, std::span<const double> weight);
+  /// @param in_trees whether lights that are bounded stand in one
+  void make_group(Group& group, std::span<const std::uint32_t> members, std::span<const double> weight,
+                  bool in_trees);
   LightBounds bounds_of(std::uint32_t light) const;
   bool is_unbounded(std::uint32_t light) const;
+  std::size_t group_of(int spectrum) const {
+    return groups_.size() == 1 ? 0 : static_cast<std::size_t>(spectrum);
+  }
   std::optional<LightSample> sample_light(std::uint32_t light, Vec3f from, Sample2d u) const;
   std::uint32_t environment_index() const {
     return static_cast<std::uint32_t>(area_lights_.list().size() + punctual_lights_.size());
@@ -100,19 +106,19 @@ class LightSampler {
   AreaLights area_lights_;
   std::vector<PunctualLight> punctual_lights_;
   std::shared_ptr<const Environment> environment_;
-  std::vector<Group> groups_;  ///< of each emission spectrum
+  std::vector<Group> groups_;  ///< of each emission spectrum, or one of all
   std::vector<Place> places_;  ///< of each light
   std::vector<double> power_of_spectrum_;
-  std::vector<float> share_of_spectrum_;
-  int lit_spectra_ = 0;
-  int only_spectrum_ = 0;  ///< where there is but one
+  std::vector<float> share_of_group_;
+  int lit_groups_ = 0;
+  std::size_t only_group_ = 0;  ///< where but one has lights
   bool uses_normals_ = false;
   std::optional<std::uint32_t> only_area_light_;  ///< where there is no other light
 };
 
 inline LightSampler::Pick LightSampler::pick(std::span<const float> spectra, double u_choice) const {
   // The spectrum.
-  auto k = static_cast<std::size_t>(only_spectrum_);
+  std::size_t k = only_group_;
   float probability = 1.0f;
   if (!spectra.empty()) {
     for (k = 0; k < spectra.size() && u_choice >= spectra[k]; ++k) u_choice -= spectra[k];

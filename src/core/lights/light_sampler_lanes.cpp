@@ -28,8 +28,8 @@ LightTree::Choices LightSampler::choose_among_all(const LightReferenceLanes& at)
 }
 
 const LightTree* LightSampler::only_tree() const {
-  const Group& group = groups_[static_cast<std::size_t>(only_spectrum_)];
-  return lit_spectra_ == 1 && group.lights.size() == 1 && group.lights[0] == kNoLight ? &group.tree : nullptr;
+  const Group& group = groups_[only_group_];
+  return lit_groups_ == 1 && group.lights.size() == 1 && group.lights[0] == kNoLight ? &group.tree : nullptr;
 }
 
 LightTree::Choices LightSampler::choose_lights(const LightReferenceLanes& at) const {

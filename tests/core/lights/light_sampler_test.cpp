@@ -86,12 +86,13 @@ TEST(LightSampler, DarkSpectraAndThoseThatAreNoNumbers) {
   EXPECT_NEAR(odd[1], 2.0 / 3.0, 1e-6);
 }
 
-/// A scene of 200 small lamps of two spectra and a few large ones: chosen by the tree.
-SceneBuilder many_lamps() {
+/// A scene of 200 small lamps of some spectra and a few large ones: chosen by trees.
+SceneBuilder many_lamps(int spectra) {
   SceneBuilder b = three_lamps(false);
+  for (int k = 2; k < spectra; ++k) b.emission(BlackbodySpectrum{2000.0 + 500.0 * k});
   Material lamp = diffuse(ConstantSpectrum{0.0});
   for (int i = 0; i < 200; ++i) {
-    lamp.emission_spectrum = i % 2;
+    lamp.emission_spectrum = i % spectra;
     lamp.emission_luminance = 1.0f + static_cast<float>(i % 13);
     const Vec3d p{0.37 * (i % 20) - 3.5, 0.41 * (i / 20) - 2.0, i % 3 ? 2.5 : -0.5};
     if (i % 3)
@@ -134,13 +135,19 @@ TEST(LightSampler, SpotsWithHardEdges) {
   }
 }
 
-/// The density that a sample has is the one that is found for a ray which hits its point; and their sum over
-/// directions is 1: the mean of Σ over lamps of solid angle × density.
+/// Of a few kinds of light one is chosen first; of more there is one tree.
+TEST(LightSampler, ManyKindsStandInOneTree) {
+  EXPECT_TRUE(LightSampler(many_lamps(4).build()).several_spectra());
+  EXPECT_FALSE(LightSampler(many_lamps(5).build()).several_spectra());
+}
+
+/// The density that a sample has is the one that is found for a ray which hits its point.
 TEST(LightSampler, DensitiesAreFoundAgain) {
-  for (const SceneBuilder& b : {three_lamps(false), many_lamps()}) {
+  for (const SceneBuilder& b : {three_lamps(false), many_lamps(2), many_lamps(7)}) {
     const Scene scene = b.build();
     const LightSampler lights(scene);
-    std::vector<float> spectra{0.7f, 0.2f};
+    std::vector<float> spectra;
+    if (lights.several_spectra()) spectra = {0.7f, 0.2f};
     lights.spectrum_probabilities(spectra);
     for (std::uint32_t k = 0; k < 50; ++k) {
       const SampleStream place(Sequence::independent, 3, 0, k);
