@@ -37,11 +37,14 @@ class ShadingMaterial {
     return sample_spectrum<N>(surface_.base_color, lambda_) * std::min(luminance(rgb), 1.0f);
   }
 
+  /// On the reflectance at normal incidence; may be above 1.
   SampledSpectrum<N> specular_color() const {
-    if (!has(&MaterialTextures::specular_color)) return sample_spectrum<N>(surface_.specular_color, lambda_);
+    const float scale = surface_.specular_scale;
+    if (!has(&MaterialTextures::specular_color))
+      return sample_spectrum<N>(surface_.specular_color, lambda_) * scale;
     const Vec4f texel = point_.look_up(surface_.textures->specular_color);
     const Vec3f factor = surface_.specular_color_factor;
-    return reflectance({factor.x * texel.x, factor.y * texel.y, factor.z * texel.z});
+    return reflectance({factor.x * texel.x, factor.y * texel.y, factor.z * texel.z}) * scale;
   }
 
   /// Perceptual; GGX α is its square.

@@ -144,7 +144,8 @@ template <int N, typename MaterialAt, typename LambdaOf>
 PHOTOPIC_INLINE SpectrumLanes<N> specular_colors(const Packet& packet, const MaterialAt& material_at,
                                                  const Surface* surface, const LambdaOf& lambda_of) {
   if (surface != nullptr && !(surface->textures && surface->textures->specular_color))
-    if (auto color = uniform_color<N>(surface->specular_color, lambda_of())) return *color;
+    if (auto color = uniform_color<N>(surface->specular_color, lambda_of()))
+      return *color * surface->specular_scale;
   return colors_one_by_one<N>(packet, [&](int i) { return material_at(i).specular_color(); });
 }
 
