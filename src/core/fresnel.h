@@ -18,9 +18,9 @@ inline float fresnel_dielectric(float cos_i, float eta) {
   return 0.5f * (sqr(parallel) + sqr(perpendicular));
 }
 
-/// The same at normal incidence, from air. @param ior 0: a perfect mirror
-inline float normal_reflectance(float ior) {
-  return ior == 0.0f ? 1.0f : sqr((ior - 1.0f) / (ior + 1.0f));
+/// The same at normal incidence. @param eta 0: a perfect mirror
+inline float normal_reflectance(float eta) {
+  return eta == 0.0f ? 1.0f : sqr((eta - 1.0f) / (eta + 1.0f));
 }
 
 /// Schlick's (1 − cos θ)⁵.

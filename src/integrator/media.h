@@ -60,7 +60,7 @@ class PathMedia {
   void meet_screen() {
     if (in_the_open_) return;
     believed_ = here_.current(), beyond_ = here_;
-    outside_ = kVacuum, front_ = back_ = 0.0f;
+    outside_ = here_.current(), front_ = back_ = 0.0f;
     from_inside_ = hidden_ = false;
     in_the_open_ = here_.current() == kVacuum;
   }
@@ -77,7 +77,7 @@ class PathMedia {
   /// What light was taken to travel in before a solid was left that had not been entered; else current(). A
   /// path that has crossed nothing began in that solid.
   std::int32_t believed() const { return believed_; }
-  /// The medium in front of the solid that shades; its own lies behind it.
+  /// The medium in front of the solid that shades, whose own lies behind it; of a screen that on either side.
   std::int32_t outside() const { return outside_; }
   /// The medium on the front of what shades, or on its back.
   std::int32_t on_side(bool inside) const {
