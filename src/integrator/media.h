@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "core/prepared_scene.h"
 #include "core/surface_point.h"
@@ -68,8 +69,8 @@ class PathMedia {
   /// nothing.
   bool in_the_open() const { return in_the_open_; }
 
-  /// Whether the path goes on through what it met as if there were nothing: the same medium lies on both
-  /// sides.
+  /// Whether the path goes on through what it met as if there were nothing, which emits nothing either: the
+  /// same medium lies on both sides.
   bool hidden() const { return hidden_; }
 
   /// The medium (index of its material, or kVacuum) that light travels in.
@@ -88,8 +89,11 @@ class PathMedia {
   void go_on(bool inside) {
     if (inside != from_inside_) cross();
   }
-  /// To the other side.
-  void cross() { here_ = beyond_, crossed_ = true; }
+  /// To the other side; on_side() still knows both.
+  void cross() {
+    std::swap(here_, beyond_);
+    from_inside_ = !from_inside_, crossed_ = true;
+  }
 
   /// Whether anything lies in the place of what was met.
   bool is_thick() const { return front_ != 0.0f || back_ != 0.0f; }
@@ -142,6 +146,11 @@ void attenuate(SampledSpectrum<N>& radiance, const PreparedScene& scene, std::in
 /// Whether what a ray hit bounds no medium, and nothing touches it there.
 inline bool is_lone_screen(const PreparedScene& scene, const Hit& hit) {
   return !scene.shapes[hit.shape].encloses && !touches(scene, hit);
+}
+
+/// Whether it is a lamp that may lie hidden in glass: one of glass itself.
+inline bool is_hideable(const ShapeTraits& shape) {
+  return shape.emits && shape.encloses;
 }
 
 /// PathMedia::meet with all that lies where a ray hits something. @param hit becomes one of what shades

@@ -159,6 +159,55 @@ TEST(Media, OpaqueReflectsByRelativeIndices) {
   }
 }
 
+/// Glass that shines.
+std::uint32_t shining(SceneBuilder& b, int priority) {
+  Material m = tinted(1.4f, 0.5, priority);
+  m.emission_spectrum = b.emission(d65());
+  m.emission_luminance = 5.0f;
+  return b.material(m);
+}
+
+/// In glass of a higher priority it is not there: neither paths nor light samples find it.
+TEST(Media, HiddenGlassDoesNotShine) {
+  for (const bool hidden : {true, false}) {
+    SceneBuilder b;
+    b.box({-1, -1, -1}, {1, 1, 1}, b.material(tinted(1.5f, 0.9, 5)));
+    b.box({-0.7, -0.3, -0.3}, {-0.3, 0.3, 0.3}, shining(b, hidden ? 0 : 5));
+    b.sphere({0.4, 0, 0}, 0.3, 2, b.material(diffuse(ConstantSpectrum{0.8})));
+    b.camera({0.5, -4, 1}, {0, 0, 0}, 35, 8, 8);
+    const PreparedScene scene(b.build());
+    const RenderOptions o{.spp = 50, .sequence = Sequence::independent, .seed = 1, .max_depth = 8};
+    const double seen = luminance(render(scene, UniformWavelengths{4}, o).film).mean,
+                 naive = luminance(render_naive(scene, UniformWavelengths{4}, o).film).mean;
+    if (hidden) {
+      EXPECT_EQ(seen, 0.0);
+      EXPECT_EQ(naive, 0.0);
+    } else {
+      EXPECT_GT(seen, 0.1);
+      EXPECT_GT(naive, 0.1);
+    }
+  }
+}
+
+/// Half of it hidden, from vertices on either side of rough glass and within: light samples find what paths
+/// do.
+TEST(Media, HalfHiddenGlassAgreesWithTheOracle) {
+  SceneBuilder b;
+  Material frosted = tinted(1.3f, 0.7, 5);
+  frosted.roughness = 0.5f;
+  b.box({-1, -1, -1}, {1, 1, 1}, b.material(frosted));
+  b.box({-0.9, -0.8, 0.2}, {-0.2, 0.8, 1.6}, shining(b, 0));
+  b.box({-0.6, -0.5, -0.8}, {0.2, 0.1, -0.5}, shining(b, 7));
+  b.sphere({0.45, 0, 0}, 0.4, 2, b.material(diffuse(ConstantSpectrum{0.8})));
+  b.floor({0, 0, -1.2}, 4, 4, b.material(diffuse(ConstantSpectrum{0.8})));
+  b.camera({1, -4, 2}, {0, 0, 0}, 40, 12, 12);
+  const PreparedScene scene(b.turn({0.3, 0.2, 1}, 0.2).build());
+  RenderOptions o{.spp = 600, .sequence = Sequence::independent, .seed = 1, .max_depth = 8};
+  const RenderResult clever = render(scene, UniformWavelengths{4}, o);
+  o.seed = 2, o.spp = 1500;
+  expect_same_image(clever.film, render_naive(scene, UniformWavelengths{4}, o).film, 1, "half hidden");
+}
+
 /// More shells than a path remembers: counted, and no energy is made.
 TEST(Media, TooManyShellsAreCounted) {
   SceneBuilder b;
