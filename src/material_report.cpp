@@ -49,10 +49,11 @@ class Parameters {
   void add(const char* name, bool value) {
     if (value) json[name] = true;
   }
-  void add_color(const char* name, const Spectrum& reflectance) {
-    if (const auto* grey = std::get_if<ConstantSpectrum>(&reflectance); grey && grey->value == 1.0) return;
+  void add_color(const char* name, const Spectrum& reflectance, double scale = 1.0) {
+    const auto* grey = std::get_if<ConstantSpectrum>(&reflectance);
+    if (grey && grey->value * scale == 1.0) return;
     const Rgb color = color_under_d65(reflectance);
-    json[name] = {color.r, color.g, color.b};
+    json[name] = {color.r * scale, color.g * scale, color.b * scale};
   }
   Json json;
 };
@@ -83,7 +84,7 @@ Json parameters_of(const Material& m) {
   p.add("metallic", m.metallic);
   p.add("ior", m.ior, 1.5f);
   p.add("specular", m.specular, 1.0f);
-  p.add_color("specular_color", m.specular_color);
+  p.add_color("specular_color", m.specular_color, m.specular_scale);
   p.add("transmission", m.transmission);
   p.add("attenuation_distance", m.attenuation_distance);
   if (m.attenuation_distance > 0.0f) p.add_color("attenuation_color", m.attenuation_color);

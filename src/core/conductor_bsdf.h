@@ -30,7 +30,7 @@ class ConductorBsdf {
     bounce_probability_ = bounce / (bounce + further);
   }
 
-  /// The exact Fresnel term of the surface's metal.
+  /// The exact Fresnel term of the surface's metal, in the medium that lies in front.
   static SpectralFresnel<N> measured(const ShadingMaterial<N>& m) {
     const ConductorIndex& index = *m.surface().extensions->conductor;
     SampledSpectrum<N> n, k;
@@ -38,7 +38,9 @@ class ConductorBsdf {
       n.v[j] = static_cast<float>(index.n(m.lambda()[j]));
       k.v[j] = static_cast<float>(index.k(m.lambda()[j]));
     }
-    return SpectralFresnel<N>::conductor(n, k);
+    if (m.in_vacuum()) return SpectralFresnel<N>::conductor(n, k);
+    const SampledSpectrum<N> outside = m.outside_indices();
+    return SpectralFresnel<N>::conductor(n / outside, k / outside);
   }
 
   /// Whether light comes from single directions alone, so that evaluate() has nothing.

@@ -18,9 +18,9 @@ inline float fresnel_dielectric(float cos_i, float eta) {
   return 0.5f * (sqr(parallel) + sqr(perpendicular));
 }
 
-/// The same at normal incidence, from air. @param ior 0: a perfect mirror
-inline float normal_reflectance(float ior) {
-  return ior == 0.0f ? 1.0f : sqr((ior - 1.0f) / (ior + 1.0f));
+/// The same at normal incidence. @param eta 0: a perfect mirror
+inline float normal_reflectance(float eta) {
+  return eta == 0.0f ? 1.0f : sqr((eta - 1.0f) / (eta + 1.0f));
 }
 
 /// Schlick's (1 − cos θ)⁵.
@@ -30,14 +30,24 @@ T schlick_weight(T cos_theta) {
   return sqr(sqr(x)) * x;
 }
 
-/// KHR_materials_specular's factors on a dielectric interface's reflectance, Schlick's blend between them. It
-/// goes by the angle in the thinner medium, so that both directions of one ray have the same. Total
-/// reflection stays what it is. @param eta n_t/n_i
+/// KHR_materials_specular on a dielectric interface's reflectance. A colour below 1 dims it, by Schlick's
+/// blend, which goes by the angle in the thinner medium, so that both directions of one ray have the same. A
+/// colour above 1 dims what passes, which scales Schlick's F0 just so and leaves no reflectance above 1.
+/// Total reflection stays what it is. @param eta n_t/n_i
 struct SpecularScale {
   float at_normal = 1.0f, at_grazing = 1.0f;
+  float passed = 1.0f;  ///< what passes, before these two
+
+  /// @param color on the reflectance at normal incidence; the product ends at 1
+  static SpecularScale of(float specular, float color, float eta) {
+    if (color <= 1.0f) return {specular * color, specular};
+    const float r0 = normal_reflectance(eta);
+    return {specular, specular, (1.0f - std::min(color * r0, 1.0f)) / (1.0f - r0)};
+  }
 
   float scaled(float reflectance, float cos_i, float eta) const {
     if (reflectance >= 1.0f) return 1.0f;
+    if (passed != 1.0f) reflectance = 1.0f - passed * (1.0f - reflectance);
     if (at_normal == at_grazing) return reflectance * at_normal;
     return reflectance * (at_normal + (at_grazing - at_normal) * schlick_weight(thin_cosine(cos_i, eta)));
   }

@@ -51,6 +51,7 @@ void GlassAlbedo::integrate(const VisibleNormals& normals, float cos_theta, floa
     const float lost_down = weight * lost(down, down.z < 0.0f);
     sum.missing += (1.0f - f) * lost_down;
     const float exchanged = lost_up - lost_down, thin = SpecularScale::thin_cosine(cos_i, eta);
+    sum.all += exchanged;
     sum.exchanged += f * exchanged;
     sum.exchanged_grazing += f * exchanged * schlick_weight(thin);
     if (exchanged_.empty()) continue;

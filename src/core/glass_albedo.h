@@ -43,15 +43,17 @@ class GlassAlbedo {
 
  private:
   /// What is missing, and what is gained when all that is reflected, though it might pass, passes instead:
-  /// plainly, and weighed with Schlick's weight.
+  /// plainly, and weighed with Schlick's weight; and when all that might pass is reflected, what passes and
+  /// what does not.
   struct Share {
-    float missing = 0.0f, exchanged = 0.0f, exchanged_grazing = 0.0f;
+    float missing = 0.0f, exchanged = 0.0f, exchanged_grazing = 0.0f, all = 0.0f;
 
     float of(SpecularScale s) const {
-      return missing - (1.0f - s.at_normal) * exchanged - (s.at_normal - s.at_grazing) * exchanged_grazing;
+      return missing - (1.0f - s.at_normal * s.passed) * exchanged -
+             (s.at_normal - s.at_grazing) * exchanged_grazing + s.at_normal * (1.0f - s.passed) * all;
     }
     void add(const Share& other, float factor) {
-      missing += factor * other.missing;
+      missing += factor * other.missing, all += factor * other.all;
       exchanged += factor * other.exchanged, exchanged_grazing += factor * other.exchanged_grazing;
     }
   };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/fresnel.h"
 #include "core/glass_albedo.h"
 #include "core/microfacet.h"
@@ -14,10 +16,9 @@ class GlassReflectance {
  public:
   /// @param inside whether light comes from within  @param rough then no index is quite that of the outside
   GlassReflectance(const ShadingMaterial<N>& m, bool inside, bool rough)
-      : solid_(m.surface().solid),
-        inside_(solid_ && inside),
-        specular_(m.specular()),
-        specular_color_(m.specular_color()) {
+      : solid_(m.surface().solid), inside_(solid_ && inside) {
+    const float specular = m.specular();
+    const SampledSpectrum<N> specular_color = m.specular_color();
     float thickness = 0.0f;
     if (const MaterialExtensions* x = m.surface().extensions.get(); x && x->iridescence > 0.0f) {
       film_ = m.iridescence(), film_ior_ = x->iridescence_ior;
@@ -29,6 +30,7 @@ class GlassReflectance {
       if (rough && is_index_matched(ior_[j] / outside_[j])) ior_.v[j] = outside_[j] * kLeastRoughIor;
       eta_.v[j] = inside_ ? outside_[j] / ior_[j] : ior_[j] / outside_[j];
       phase_.v[j] = 2.0f * kPi * thickness / m.lambda()[j];
+      specular_[static_cast<std::size_t>(j)] = SpecularScale::of(specular, specular_color[j], eta_[j]);
     }
   }
 
@@ -60,9 +62,7 @@ class GlassReflectance {
   }
 
  private:
-  SpecularScale specular_of(int j) const {
-    return {specular_ * std::min(specular_color_[j], 1.0f), specular_};
-  }
+  const SpecularScale& specular_of(int j) const { return specular_[static_cast<std::size_t>(j)]; }
   float filmed(float cos_i, int j) const {
     const float from = inside_ ? ior_[j] : outside_[j], to = inside_ ? outside_[j] : ior_[j];
     return ThinFilm{from, film_ior_, {to}, phase_[j]}.reflectance(cos_i);
@@ -83,8 +83,7 @@ class GlassReflectance {
   }
 
   bool solid_, inside_;
-  float specular_;
-  SampledSpectrum<N> specular_color_;
+  std::array<SpecularScale, N> specular_;
   float film_ = 0.0f, film_ior_ = 1.0f;
   SampledSpectrum<N> ior_;
   SampledSpectrum<N> outside_{1.0f};  ///< index of the medium in front

@@ -79,15 +79,14 @@ class GlossyBase {
 
   void set_colors(const ShadingMaterial<N>& m, const MaterialExtensions& x) {
     metallic_ = x.conductor ? 1.0f : m.opaque_metallic();
-    auto f0 = m.specular_color() * normal_reflectance(m.surface().ior);
-    for (int j = 0; j < N; ++j) f0.v[j] = std::min(f0.v[j], 1.0f);
     const SampledSpectrum<N> specular(m.specular()), base = m.base_color();
-    auto dielectric = SpectralFresnel<N>::schlick(f0 * specular, specular);
+    auto dielectric = SpectralFresnel<N>::schlick(at_most_1(m.dielectric_f0()) * specular, specular);
     auto metal = x.conductor ? ConductorBsdf<N>::measured(m)
                              : SpectralFresnel<N>::schlick(base, SampledSpectrum<N>(1.0f));
     if (x.iridescence > 0.0f) {
       SurfaceFilm<N> film{m.iridescence(), x.iridescence_ior};
       film.phase = SampledSpectrum<N>(2.0f * kPi * m.film_thickness()) / m.lambda();
+      film.outside = m.outside_indices();
       dielectric.put_on(film), metal.put_on(film);
     }
     if (metallic_ < 1.0f) dielectric_ = FresnelFit<N>(dielectric);

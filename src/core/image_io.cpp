@@ -278,7 +278,9 @@ Image read_image(const std::filesystem::path& file) {
   };
   check_readable_file(file);
   const QuietStderr quiet;
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string());
+  OIIO::ImageSpec colors_as_stored;  // else what is not associated would be multiplied while still encoded
+  colors_as_stored["oiio:UnassociatedAlpha"] = 1;
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &colors_as_stored);
   const std::string why = OIIO::geterror();
   if (!input)
     fail("this is no image that can be read" + (is_image(file) ? ": " + reason(why) : ""),

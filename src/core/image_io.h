@@ -58,7 +58,7 @@ void write_image(const std::filesystem::path& file, const Image& image, const Me
 Metadata read_metadata(const std::filesystem::path& file);
 
 /// Reads an image as linear sRGB: channels R, G, B, or X, Y, Z, or else the first three; 8-bit files are
-/// sRGB-decoded.
+/// sRGB-decoded. Alpha is left out: colours are those that the file holds.
 /// @throws InputError when there is no such file or it may not be read, it is no image, or it is absurdly
 /// large
 Image read_image(const std::filesystem::path& file);

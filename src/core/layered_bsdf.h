@@ -29,6 +29,7 @@ class LayeredBsdf {
     const MaterialExtensions& x = *m.surface().extensions;
     const float coat_roughness = m.clearcoat_roughness();
     coat_ = m.clearcoat(), coat_ggx_ = {sqr(coat_roughness)};
+    coat_f0_ = normal_reflectance(kCoatIndex / m.outside_index(kLineD));
     const float coat_albedo = coat_ > 0.0f ? coat_ * schlick(coat_factors(coat_roughness)) : 0.0f;
     under_coat_ = 1.0f - coat_albedo;
     under_sheen_ = SampledSpectrum<N>(under_coat_);
@@ -96,9 +97,9 @@ class LayeredBsdf {
   }
 
  private:
-  /// The coat's index is 1.5.
-  static constexpr float kCoatF0 = 0.04f;
-  static float schlick(GgxAlbedo::Factors e) { return kCoatF0 * e.scale() + e.bias; }
+  static constexpr float kCoatIndex = 1.5f;  ///< KHR_materials_clearcoat's
+  static constexpr float kLineD = 587.56f;   ///< [nm], where indices are told
+  float schlick(GgxAlbedo::Factors e) const { return coat_f0_ * e.scale() + e.bias; }
 
   bool coat_is_smooth() const { return coat_ggx_.alpha < kSmoothAlpha; }
   GgxAlbedo::Factors coat_factors(float roughness) const {
@@ -115,7 +116,7 @@ class LayeredBsdf {
   GlossyBase<N> base_;
   Frame coat_frame_{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< in the shading frame
   Vec3f coat_wo_;
-  float coat_ = 0.0f;
+  float coat_ = 0.0f, coat_f0_ = 0.0f;
   Ggx coat_ggx_{0.0f};
   Sheen sheen_;
   SampledSpectrum<N> sheen_color_{0.0f};

@@ -12,20 +12,19 @@ namespace photopic {
 /// What a hit's material comes to, of one path or of 16.
 template <int N, typename T>
 struct OpaqueMaterial {
-  SpectrumOf<N, T> base, specular_color;
-  T roughness;  ///< perceptual
+  SpectrumOf<N, T> base;
+  SpectrumOf<N, T> f0;  ///< the dielectric's: ShadingMaterial::dielectric_f0
+  T roughness;          ///< perceptual
   T metallic, specular;
-  T r0;  ///< the dielectric's reflectance at normal incidence
 };
 
 template <int N>
 OpaqueMaterial<N, float> opaque_material(const ShadingMaterial<N>& m) {
   return {.base = m.base_color(),
-          .specular_color = m.specular_color(),
+          .f0 = m.dielectric_f0(),
           .roughness = m.roughness(),
           .metallic = m.opaque_metallic(),
-          .specular = m.specular(),
-          .r0 = normal_reflectance(m.surface().ior)};
+          .specular = m.specular()};
 }
 
 /// glTF 2.0's metallic-roughness model (appendix B) with KHR_materials_specular and _ior: a GGX reflection
@@ -40,7 +39,7 @@ class BasicOpaqueBsdf {
 
   BasicOpaqueBsdf(const OpaqueMaterial<N, T>& m, const Vec3<T>& wo)
       : wo_(wo), roughness_(m.roughness), ggx_{sqr(m.roughness)}, metallic_(m.metallic) {
-    dielectric_ = {at_most_1(m.specular_color * m.r0) * m.specular, Spectrum(m.specular)};
+    dielectric_ = {at_most_1(m.f0) * m.specular, Spectrum(m.specular)};
     metal_ = {m.base, Spectrum(1.0f)};
     diffuse_ = m.base * (1.0f - metallic_);
     look();

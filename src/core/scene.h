@@ -63,6 +63,7 @@ struct Material {
   float specular = 1.0f;   ///< KHR_materials_specular's specularFactor
   Spectrum specular_color = ConstantSpectrum{1.0};
   Vec3f specular_color_factor{1, 1, 1};  ///< the same as linear sRGB, for a texture
+  float specular_scale = 1.0f;           ///< ≥ 1, on either: the colour's product with F0 alone ends at 1
   float transmission = 0.0f;
   bool thin_walled = true;                             ///< thicknessFactor 0: refraction is not seen
   Spectrum attenuation_color = ConstantSpectrum{1.0};  ///< transmittance over attenuation_distance

@@ -22,8 +22,15 @@ class ShadingMaterial {
   SampledSpectrum<N> lambda() const { return lambda_; }  ///< [nm]
   const TrianglePoint& point() const { return point_; }
 
-  /// Refractive indices in front of the surface and behind it.
+  /// The refractive index in front of the surface.
+  bool in_vacuum() const { return outside_ == nullptr; }
   float outside_index(float lambda) const { return outside_ ? outside_->index(lambda) : 1.0f; }
+  SampledSpectrum<N> outside_indices() const {
+    SampledSpectrum<N> index(1.0f);
+    if (!in_vacuum())
+      for (int j = 0; j < N; ++j) index.v[j] = outside_->index(lambda_[j]);
+    return index;
+  }
   bool outside_disperses() const { return outside_ && outside_->disperses(); }
 
   /// Linear sRGB, of a surface whose base colour varies and is not measured.
@@ -37,11 +44,23 @@ class ShadingMaterial {
     return sample_spectrum<N>(surface_.base_color, lambda_) * std::min(luminance(rgb), 1.0f);
   }
 
+  /// On the reflectance at normal incidence; may be above 1.
   SampledSpectrum<N> specular_color() const {
-    if (!has(&MaterialTextures::specular_color)) return sample_spectrum<N>(surface_.specular_color, lambda_);
+    const float scale = surface_.specular_scale;
+    if (!has(&MaterialTextures::specular_color))
+      return sample_spectrum<N>(surface_.specular_color, lambda_) * scale;
     const Vec4f texel = point_.look_up(surface_.textures->specular_color);
     const Vec3f factor = surface_.specular_color_factor;
-    return reflectance({factor.x * texel.x, factor.y * texel.y, factor.z * texel.z});
+    return reflectance({factor.x * texel.x, factor.y * texel.y, factor.z * texel.z}) * scale;
+  }
+
+  /// Of the opaque dielectric at normal incidence, towards the medium in front; what is above 1 counts as 1.
+  SampledSpectrum<N> dielectric_f0() const {
+    SampledSpectrum<N> f0 = specular_color();
+    if (in_vacuum()) return f0 * normal_reflectance(surface_.ior);
+    const SampledSpectrum<N> outside = outside_indices();
+    for (int j = 0; j < N; ++j) f0.v[j] *= normal_reflectance(surface_.ior / outside[j]);
+    return f0;
   }
 
   /// Perceptual; GGX α is its square.

@@ -11,7 +11,8 @@ template <int N>
 struct SurfaceFilm {
   float share = 0.0f;  ///< in [0, 1]
   float ior = 1.3f;
-  SampledSpectrum<N> phase{0.0f};  ///< 2π·thickness/λ
+  SampledSpectrum<N> phase{0.0f};    ///< 2π·thickness/λ
+  SampledSpectrum<N> outside{1.0f};  ///< index of the medium around
 };
 
 /// The Fresnel term of an opaque surface at a path's wavelengths: Schlick's, or a metal's exact one; with a
@@ -26,6 +27,7 @@ class SpectralFresnel {
     f.f0_ = f0, f.f90_ = f90;
     return f;
   }
+  /// @param n, k over the index of the medium outside
   static SpectralFresnel conductor(SampledSpectrum<N> n, SampledSpectrum<N> k) {
     SpectralFresnel f;
     f.is_conductor_ = true;
@@ -64,14 +66,17 @@ class SpectralFresnel {
 
   SampledSpectrum<N> filmed(float cos_theta) const {
     SampledSpectrum<N> f;
-    for (int j = 0; j < N; ++j)
-      f.v[j] = ThinFilm{1.0f, film_.ior, {n_[j], k_[j]}, film_.phase[j]}.reflectance(cos_theta);
+    for (int j = 0; j < N; ++j) {
+      const float outside = film_.outside[j];
+      f.v[j] = ThinFilm{outside, film_.ior, {n_[j] * outside, k_[j] * outside}, film_.phase[j]}.reflectance(
+          cos_theta);
+    }
     return is_conductor_ ? f : f * f90_;
   }
 
   bool is_conductor_ = false;
   SampledSpectrum<N> f0_{0.0f}, f90_{0.0f};
-  SampledSpectrum<N> n_{1.0f}, k_{0.0f};
+  SampledSpectrum<N> n_{1.0f}, k_{0.0f};  ///< over the index outside
   SurfaceFilm<N> film_;
 };
 

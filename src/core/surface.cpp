@@ -33,8 +33,8 @@ bool is_black(const Material& m) {
 
 BsdfKind glass_kind_of(const Material& m) {
   const auto* specular = std::get_if<ConstantSpectrum>(&m.specular_color);
-  const bool colored =
-      specular == nullptr || specular->value != 1.0 || has_texture(m, &MaterialTextures::specular_color);
+  const bool colored = specular == nullptr || specular->value != 1.0 || m.specular_scale != 1.0f ||
+                       has_texture(m, &MaterialTextures::specular_color);
   return (m.extensions.is_spectral_glass() || colored) && m.ior != 0.0f ? BsdfKind::spectral_glass
                                                                         : BsdfKind::glass;
 }
@@ -81,6 +81,7 @@ Surface::Surface(const Material& m)
       roughness(m.roughness),
       transmission(m.transmission),
       specular(m.specular),
+      specular_scale(m.specular_scale),
       ior(m.ior),
       attenuation_color(m.attenuation_color),
       attenuation_distance(m.attenuation_distance),

@@ -47,7 +47,7 @@ struct Surface {
   float metallic;
   float roughness;  ///< perceptual
   float transmission;
-  float specular;
+  float specular, specular_scale;
   float ior;
   Spectrum attenuation_color;
   float attenuation_distance;

@@ -140,35 +140,36 @@ PHOTOPIC_INLINE SpectrumLanes<N> base_colors(const Packet& packet, const Materia
   return colors_one_by_one<N>(packet, [&](int i) { return material_at(i).base_color(); });
 }
 
+/// @param in_vacuum whether all lanes are
 template <int N, typename MaterialAt, typename LambdaOf>
-PHOTOPIC_INLINE SpectrumLanes<N> specular_colors(const Packet& packet, const MaterialAt& material_at,
-                                                 const Surface* surface, const LambdaOf& lambda_of) {
-  if (surface != nullptr && !(surface->textures && surface->textures->specular_color))
-    if (auto color = uniform_color<N>(surface->specular_color, lambda_of())) return *color;
-  return colors_one_by_one<N>(packet, [&](int i) { return material_at(i).specular_color(); });
+PHOTOPIC_INLINE SpectrumLanes<N> dielectric_f0s(const Packet& packet, const MaterialAt& material_at,
+                                                const Surface* surface, const LambdaOf& lambda_of,
+                                                bool in_vacuum) {
+  if (surface != nullptr && in_vacuum && !(surface->textures && surface->textures->specular_color))
+    if (auto color = uniform_color<N>(surface->specular_color, lambda_of()))
+      return *color * (surface->specular_scale * normal_reflectance(surface->ior));
+  return colors_one_by_one<N>(packet, [&](int i) { return material_at(i).dielectric_f0(); });
 }
 
 template <int N, typename MaterialAt, typename LambdaOf>
 OpaqueMaterial<N, Lanes> opaque_materials(const Packet& packet, const MaterialAt& material_at,
-                                          const Surface* surface, const LambdaOf& lambda_of) {
+                                          const Surface* surface, const LambdaOf& lambda_of, bool in_vacuum) {
   OpaqueMaterial<N, Lanes> m;
   m.base = base_colors<N>(packet, material_at, surface, lambda_of);
+  m.f0 = dielectric_f0s<N>(packet, material_at, surface, lambda_of, in_vacuum);
   if (surface != nullptr && !surface->textures) {
-    const OpaqueMaterial<N, float> one = opaque_material(material_at(0));
-    m.roughness = Lanes{} + one.roughness, m.metallic = Lanes{} + one.metallic;
-    m.specular = Lanes{} + one.specular, m.r0 = Lanes{} + one.r0;
-    m.specular_color = specular_colors<N>(packet, material_at, surface, lambda_of);
+    const ShadingMaterial<N> one = material_at(0);
+    m.roughness = Lanes{} + one.roughness(), m.metallic = Lanes{} + one.opaque_metallic();
+    m.specular = Lanes{} + one.specular();
     return m;
   }
   std::array<Float4, kLanes> rows{};
   for (int i = 0; i < packet.count; ++i) {
     const ShadingMaterial<N> one = material_at(i);
-    rows[static_cast<std::size_t>(i)] =
-        Float4{one.roughness(), one.opaque_metallic(), one.specular(), normal_reflectance(one.surface().ior)};
+    rows[static_cast<std::size_t>(i)] = Float4{one.roughness(), one.opaque_metallic(), one.specular()};
   }
   const auto numbers = gather_rows<4>([&](int i) { return &rows[static_cast<std::size_t>(i)]; });
-  m.roughness = numbers[0], m.metallic = numbers[1], m.specular = numbers[2], m.r0 = numbers[3];
-  m.specular_color = specular_colors<N>(packet, material_at, surface, lambda_of);
+  m.roughness = numbers[0], m.metallic = numbers[1], m.specular = numbers[2];
   return m;
 }
 

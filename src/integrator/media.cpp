@@ -90,7 +90,7 @@ const Contact::Face& PathMedia::meet(std::span<const Surface> surfaces, const Co
   hidden_ = !contact.screen && here_.current() == beyond_.current();
   const Contact::Face& seen = interface(surfaces, contact);
   see(seen, contact);
-  outside_ = contact.screen ? kVacuum : from_inside_ ? beyond_.current() : here_.current();
+  outside_ = from_inside_ && !contact.screen ? beyond_.current() : here_.current();
   return seen;
 }
 

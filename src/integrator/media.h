@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "core/prepared_scene.h"
 #include "core/surface_point.h"
@@ -60,7 +61,7 @@ class PathMedia {
   void meet_screen() {
     if (in_the_open_) return;
     believed_ = here_.current(), beyond_ = here_;
-    outside_ = kVacuum, front_ = back_ = 0.0f;
+    outside_ = here_.current(), front_ = back_ = 0.0f;
     from_inside_ = hidden_ = false;
     in_the_open_ = here_.current() == kVacuum;
   }
@@ -68,8 +69,8 @@ class PathMedia {
   /// nothing.
   bool in_the_open() const { return in_the_open_; }
 
-  /// Whether the path goes on through what it met as if there were nothing: the same medium lies on both
-  /// sides.
+  /// Whether the path goes on through what it met as if there were nothing, which emits nothing either: the
+  /// same medium lies on both sides.
   bool hidden() const { return hidden_; }
 
   /// The medium (index of its material, or kVacuum) that light travels in.
@@ -77,7 +78,7 @@ class PathMedia {
   /// What light was taken to travel in before a solid was left that had not been entered; else current(). A
   /// path that has crossed nothing began in that solid.
   std::int32_t believed() const { return believed_; }
-  /// The medium in front of the solid that shades; its own lies behind it.
+  /// The medium in front of the solid that shades, whose own lies behind it; of a screen that on either side.
   std::int32_t outside() const { return outside_; }
   /// The medium on the front of what shades, or on its back.
   std::int32_t on_side(bool inside) const {
@@ -88,8 +89,12 @@ class PathMedia {
   void go_on(bool inside) {
     if (inside != from_inside_) cross();
   }
-  /// To the other side.
-  void cross() { here_ = beyond_, crossed_ = true; }
+  /// To the other side; on_side() still knows both.
+  void cross() {
+    std::swap(here_, beyond_);
+    from_inside_ = !from_inside_, crossed_ = true;
+    in_the_open_ = false;  // until a screen is met
+  }
 
   /// Whether anything lies in the place of what was met.
   bool is_thick() const { return front_ != 0.0f || back_ != 0.0f; }
@@ -142,6 +147,11 @@ void attenuate(SampledSpectrum<N>& radiance, const PreparedScene& scene, std::in
 /// Whether what a ray hit bounds no medium, and nothing touches it there.
 inline bool is_lone_screen(const PreparedScene& scene, const Hit& hit) {
   return !scene.shapes[hit.shape].encloses && !touches(scene, hit);
+}
+
+/// Whether it is a lamp that may lie hidden in glass: one of glass itself.
+inline bool is_hideable(const ShapeTraits& shape) {
+  return shape.emits && shape.encloses;
 }
 
 /// PathMedia::meet with all that lies where a ray hits something. @param hit becomes one of what shades

@@ -80,7 +80,7 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     const Surface& surface = scene_.surfaces[scene_.shapes[hit.shape].material];
     const ShadingMaterial<N> material(surface, lambda, {scene_.scene.geometry, hit});
     const Vec3f normal = surface_point(scene_.scene.geometry, hit).geometric_normal;
-    if (surface.emits && (surface.double_sided || dot(normal, ray.direction) < 0.0f)) {
+    if (surface.emits && !media.hidden() && (surface.double_sided || dot(normal, ray.direction) < 0.0f)) {
       const auto& spectrum =
           scene_.scene.emission_spectra[static_cast<std::size_t>(surface.emission_spectrum)];
       radiance += throughput * sample_emission<N>(spectrum, sampled) * material.emission_tint() *

@@ -42,9 +42,29 @@ void PathTracer<N, kHas>::pass_hidden_surfaces() {
   batch_.active = std::move(arrived);
 }
 
-#define PHOTOPIC_LOOP(N, features)                              \
-  template bool PathTracer<N, features>::travel(std::uint32_t); \
-  template void PathTracer<N, features>::pass_hidden_surfaces();
+/// Whether a light sample that nothing blocks has found a lamp that paths from there pass unseen: then it
+/// counts for nothing, as they do.
+template <int N, Features kHas>
+bool PathTracer<N, kHas>::is_hidden_lamp(std::uint32_t slot) const {
+  const Ray ray = batch_.shadow_rays[slot];
+  const SurfacePoint vertex = surface_point(scene_.scene.geometry, batch_.hits[slot]);
+  PathMedia media = batch_.media[slot];
+  media.go_on(dot(ray.direction, vertex.geometric_normal) < 0.0f);
+  if (media.current() == PathMedia::kVacuum) return false;
+  Hit hit = scene_.accel.intersect(ray);
+  // The ray ends beside the lamp by as much as rounding does.
+  const float end = 1.01f * batch_.shadow_rays.t_max(slot);
+  if (hit.shape == kNoHit || !(hit.t < end) || !is_hideable(scene_.shapes[hit.shape])) return false;
+  const float distance = length(ray.direction);
+  hit.t *= distance;
+  meet(media, scene_, hit, ray.direction / distance);
+  return media.hidden();
+}
+
+#define PHOTOPIC_LOOP(N, features)                               \
+  template bool PathTracer<N, features>::travel(std::uint32_t);  \
+  template void PathTracer<N, features>::pass_hidden_surfaces(); \
+  template bool PathTracer<N, features>::is_hidden_lamp(std::uint32_t) const;
 PHOTOPIC_FOR_EACH_LOOP(PHOTOPIC_LOOP)
 #undef PHOTOPIC_LOOP
 

@@ -1,5 +1,6 @@
 #include "integrator/path_stages.h"
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 
@@ -20,7 +21,8 @@ PathTracer<N, kHas>::PathTracer(const PreparedScene& scene, const CompiledSample
       sampler_(sampler),
       options_(options),
       batch_(static_cast<std::size_t>(options.batch_size), options.sequence, scene, sampler),
-      shading_(scene) {
+      shading_(scene),
+      hides_lamps_(has_media() && std::ranges::any_of(scene.shapes, is_hideable)) {
   if (has_media()) camera_media_ = media_at(scene, scene.scene.camera.position);
 }
 
@@ -136,7 +138,7 @@ void PathTracer<N, kHas>::absorb_and_emit() {
   if (has_media()) batch_.active.keep_if([&](std::uint32_t slot) { return travel(slot); });
   for (const std::uint32_t slot : batch_.active) {
     const ShapeTraits& shape = traits_at(slot);
-    if (!shape.emits) continue;
+    if (!shape.emits || (has_media() && batch_.media[slot].hidden())) continue;
     const Hit& hit = batch_.hits[slot];
     const Surface& surface = scene_.surfaces[shape.material];
     if (!surface.double_sided && !meets_front(geometry, hit, batch_.rays.direction[slot])) continue;
@@ -196,6 +198,7 @@ void PathTracer<N, kHas>::trace_shadow_rays() {
   scene_.accel.occluded(batch_.shadow_rays, batch_.shadowed, batch_.blocked);
   stats_.shadow_rays += batch_.shadowed.size();
   batch_.shadowed.keep_if([&](std::uint32_t slot) { return !batch_.blocked[slot]; });
+  if (hides_lamps_) batch_.shadowed.keep_if([&](std::uint32_t slot) { return !is_hidden_lamp(slot); });
   for (const std::uint32_t slot : batch_.shadowed) batch_.radiance[slot] += batch_.shadow_radiance[slot];
   for (const std::uint32_t slot : batch_.pane_shadowed) {
     if (!batch_.blocked[slot]) continue;

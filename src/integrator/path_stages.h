@@ -40,6 +40,7 @@ class PathTracer {
   void absorb_and_emit();
   bool travel(std::uint32_t slot);
   void pass_hidden_surfaces();
+  bool is_hidden_lamp(std::uint32_t slot) const;
   BsdfKind choose_kind(std::uint32_t slot, int depth) const;
   void sort_by_bsdf(int depth);
   void prefetch_texels();
@@ -55,6 +56,7 @@ class PathTracer {
   PathBatch<N> batch_;
   ShadingStage<N, kHas> shading_;
   PathMedia camera_media_;  ///< around the camera
+  bool hides_lamps_;        ///< some lamp may lie unseen in glass
   RenderStats stats_;
   StageWatch* watch_ = nullptr;  ///< or none
 };

@@ -46,7 +46,9 @@ struct VertexPacket {
     if constexpr (std::is_same_v<Bsdf, DiffuseBsdf<N>>)
       bsdfs.emplace(base_colors<N>(packet, material_at, only_surface(scene, packet), lambda_of), wo);
     else if constexpr (std::is_same_v<Bsdf, OpaqueBsdf<N>>)
-      bsdfs.emplace(opaque_materials<N>(packet, material_at, only_surface(scene, packet), lambda_of), wo);
+      bsdfs.emplace(opaque_materials<N>(packet, material_at, only_surface(scene, packet), lambda_of,
+                                        are_in_vacuum(batch, packet)),
+                    wo);
     else
       bsdfs.emplace(packet, [&](int i) {
         const std::uint32_t slot = packet[i];
@@ -55,6 +57,14 @@ struct VertexPacket {
                              lane(point.geometric_normal, i));
         });
       });
+  }
+
+  /// Whether no medium lies in front of the surfaces.
+  bool are_in_vacuum(const PathBatch<N>& batch, const Packet& packet) const {
+    if (!kHas.media || batch.media.empty()) return true;
+    for (int i = 0; i < packet.count; ++i)
+      if (batch.media[packet[i]].outside() != PathMedia::kVacuum) return false;
+    return true;
   }
 
   /// By what lies in the same place.

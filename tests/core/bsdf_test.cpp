@@ -2,7 +2,7 @@
 
 #include "core/microfacet.h"
 #include "support/bsdf_checks.h"
-#include "support/scene_builder.h"
+#include "support/layered_materials.h"
 
 namespace photopic {
 namespace {
@@ -127,14 +127,21 @@ TEST(GlassBsdf, RoughKeepsAllEnergy) {
 /// spectral.
 Material with_specular(Material m, float factor, float color) {
   m.specular = factor;
-  m.specular_color = ConstantSpectrum{color};
+  m.specular_color = ConstantSpectrum{std::min(color, 1.0f)};
+  m.specular_scale = std::max(color, 1.0f);
   return m;
 }
 
 TEST(GlassBsdf, SpecularFactorsKeepAllEnergy) {
   for (bool solid : {true, false})
     for (float roughness : {0.0f, 0.3f, 0.8f})
-      for (auto [factor, color] : {std::pair{0.0f, 1.0f}, {0.4f, 1.0f}, {1.0f, 0.2f}, {0.7f, 0.5f}})
+      for (auto [factor, color] : {std::pair{0.0f, 1.0f},
+                                   {0.4f, 1.0f},
+                                   {1.0f, 0.2f},
+                                   {0.7f, 0.5f},
+                                   {1.0f, 2.0f},
+                                   {0.7f, 9.0f},
+                                   {1.0f, 99.0f}})
         for (double cos_theta : {1.0, 0.5, 0.04, -0.04, -0.5, -1.0}) {
           const Material m = solid ? solid_glass(1.5f, roughness) : thin_glass(1.5f, roughness);
           const LocalBsdf bsdf = local_bsdf(with_specular(m, factor, color));
@@ -165,13 +172,36 @@ TEST(GlassBsdf, SpecularFactorsScaleTheReflection) {
   const double outside = 0.2, inside = std::sqrt(1 - (1 - outside * outside) / 2.25);
   EXPECT_NEAR(reflected(tinted, outside), reflected(tinted, -inside), 2e-3);
   EXPECT_GT(reflected(tinted, 0.02), 0.85 * reflected(glass, 0.02));
+  // A colour above 1 scales what is reflected at normal incidence, up to all of it.
+  const Material bright = with_specular(glass, 1.0f, 2.0f);
+  EXPECT_NEAR(reflected(bright, 1.0), 0.08, 5e-4);
+  EXPECT_NEAR(reflected(bright, -1.0), 0.08, 5e-4);
+  EXPECT_NEAR(reflected(bright, -0.5), 1.0, 1e-6);
+  EXPECT_NEAR(reflected(bright, outside), reflected(bright, -inside), 2e-3);
+  EXPECT_GT(reflected(bright, outside), reflected(glass, outside));
+  EXPECT_NEAR(reflected(with_specular(glass, 0.5f, 30.0f), 0.7), 0.5, 5e-4);
+}
+
+/// F0 = min(((n − 1)/(n + 1))²·color, 1)·specularFactor, whatever lies over or under the surface.
+TEST(OpaqueBsdf, SpecularColorsAboveOneScaleF0) {
+  const Material black = plastic(ConstantSpectrum{0.0}, 0.0f);
+  const auto reflected = [](const Material& m) { return sampled_albedo(local_bsdf(m), {0, 0, 1}, 64).mean; };
+  for (const bool layered : {false, true})
+    for (auto [factor, color, f0] : {std::array{1.0f, 1.0f, 0.04f},
+                                     {1.0f, 2.0f, 0.08f},
+                                     {0.5f, 2.0f, 0.04f},
+                                     {1.0f, 24.0f, 0.96f},
+                                     {0.5f, 50.0f, 0.5f}}) {
+      const Material m = with_specular(layered ? with_sheen(black, 0.5f, 1e-9) : black, factor, color);
+      EXPECT_NEAR(reflected(m), f0, 1e-4) << layered << ' ' << factor << ' ' << color;
+    }
 }
 
 TEST(GlassBsdf, WithSpecularFactorsSamplesItsDensity) {
-  for (float color : {1.0f, 0.3f})
+  for (float color : {1.0f, 0.3f, 3.0f})
     for (double cos_theta : {0.9, 0.2, -0.9, -0.4}) {
       const Vec3f wo = direction(cos_theta);
-      expect_consistent(with_specular(solid_glass(1.5f, 0.4f), 0.5f, color), wo, refracted(wo, 1.5f), 8,
+      expect_consistent(with_specular(solid_glass(1.5f, 0.4f), 0.5f, color), wo, refracted(wo, 1.5f), 12,
                         std::to_string(color) + " cos " + std::to_string(cos_theta));
     }
 }

@@ -1,5 +1,7 @@
 #include "core/gltf_loader.h"
 
+#include "core/gltf/material.h"
+#include "core/shading_material.h"
 #include "gltf_fixture.h"
 #include "spectral/illuminants.h"
 #include "spectral/observer.h"
@@ -178,6 +180,24 @@ TEST_F(GltfTest, CamerasByNameAndResolution) {
   expect_near(far.ray(15, 10).direction, {-1, 0, 0});
   EXPECT_EQ(load(file.str(), {.camera = "far", .width = 8, .height = 4}).camera.width, 8);
   EXPECT_NE(refusal(file.str(), {.camera = "fra"}).find("\"near\", \"far\""), std::string::npos);
+}
+
+/// Blender writes them for each Specular IOR Level above 0.5.
+TEST_F(GltfTest, SpecularColorsAboveOneAreKept) {
+  SquareFile file;
+  file.primitive += R"(, "material": 0)";
+  file.materials = R"([{"extensions": {"KHR_materials_specular": {"specularColorFactor": [3, 1.5, 1.5]}}}])";
+  const Scene scene = load(file.str());
+  const Material& m = scene.materials.at(0);
+  EXPECT_EQ(scene.warnings, std::vector<std::string>());
+  EXPECT_EQ(m.specular_scale, 3.0f);
+  EXPECT_EQ(m.specular_color_factor, (Vec3f{1.0f, 0.5f, 0.5f}));
+  const Spectrum expected = reflectance_from_rgb({1.0, 0.5, 0.5});
+  for (double lambda : {450.0, 550.0, 650.0}) {
+    const Surface surface(m);
+    const ShadingMaterial<1> shaded(surface, SampledSpectrum<1>(static_cast<float>(lambda)));
+    EXPECT_NEAR(shaded.specular_color()[0], 3.0 * evaluate(expected, lambda), 1e-5);
+  }
 }
 
 TEST_F(GltfTest, MaterialFactors) {

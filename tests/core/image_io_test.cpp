@@ -10,6 +10,7 @@
 
 #include "error.h"
 #include "spectral/color.h"
+#include "support/png.h"
 
 namespace photopic {
 namespace {
@@ -125,6 +126,28 @@ TEST_F(ImageIo, PngIsSrgbEncodedAfterExposure) {
     // Half a step of 255 in the encoded value.
     EXPECT_NEAR(srgb_encode(read.pixels[i]), srgb_encode(expected), 0.5 / 255 + 1e-6) << i;
   }
+}
+
+/// PNG's colours are not associated with its alpha, EXR's are: either is read as it stands there.
+TEST_F(ImageIo, AlphaLeavesColorsAsTheyAre) {
+  std::vector<int> rgb, rgba;
+  for (const int alpha : {255, 128, 1, 0})
+    for (const int value : {200, 100, 50, alpha}) {
+      rgba.push_back(value);
+      if (rgba.size() % 4 != 0) rgb.push_back(value);
+    }
+  for (const int depth : {8, 16}) {
+    std::ofstream(folder_ / "rgb.png", std::ios::binary)
+        << test::make_png(4, 1, test::PngColor::rgb, rgb, depth);
+    std::ofstream(folder_ / "rgba.png", std::ios::binary)
+        << test::make_png(4, 1, test::PngColor::rgba, rgba, depth);
+    EXPECT_EQ(read_image(folder_ / "rgba.png").pixels, read_image(folder_ / "rgb.png").pixels) << depth;
+  }
+  const ImageLayer alpha{{"A"}, {}, [](std::size_t pixel, std::span<float> values) {
+                           values[0] = static_cast<float>(pixel % 3) / 2;
+                         }};
+  write_image(folder_ / "a.exr", test_image(), {}, 0.0, {alpha});
+  EXPECT_EQ(read_image(folder_ / "a.exr").pixels, test_image().pixels);
 }
 
 TEST_F(ImageIo, NansShowInPng) {

@@ -149,16 +149,16 @@ struct Paths {
 
   BasicOpaqueBsdf<4, Lanes> in_lanes() const {
     OpaqueMaterial<4, Lanes> all;
-    LaneSpectra<4> base, specular_color;
+    LaneSpectra<4> base, f0;
     Vec3Lanes towards;
     for (int i = 0; i < kLanes; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      base[k] = material[k].base, specular_color[k] = material[k].specular_color;
+      base[k] = material[k].base, f0[k] = material[k].f0;
       all.roughness[i] = material[k].roughness, all.metallic[i] = material[k].metallic;
-      all.specular[i] = material[k].specular, all.r0[i] = material[k].r0;
+      all.specular[i] = material[k].specular;
       set_lane(towards, i, wo[k]);
     }
-    all.base = to_lanes<4>(base), all.specular_color = to_lanes<4>(specular_color);
+    all.base = to_lanes<4>(base), all.f0 = to_lanes<4>(f0);
     return {all, towards};
   }
 };

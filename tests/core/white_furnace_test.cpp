@@ -44,6 +44,9 @@ TEST(WhiteFurnace, Opaque) {
     expect_white(metal(kWhite, roughness), "metal");
     for (float ior : {1.0f, 1.5f, 4.0f, 0.0f})
       expect_white(plastic(kWhite, roughness, ior), "plastic of ior " + std::to_string(ior));
+    Material bright = plastic(kWhite, roughness);
+    bright.specular_scale = 8.0f;
+    expect_white(bright, "plastic of bright specular colour");
     Material mixed = plastic(kWhite, roughness);
     mixed.specular = 0.4f;
     expect_white(mixed, "less specular plastic");

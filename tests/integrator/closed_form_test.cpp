@@ -127,6 +127,21 @@ TEST(ClosedForm, LampInAMirror) {
                2e-4);
 }
 
+/// A specular colour above 1 on the reflection of a black, smooth floor.
+TEST(ClosedForm, LampInBrightBlackPlastic) {
+  const Spectrum tint = upsample_reflectance({0.9, 0.6, 0.2});
+  Material black = plastic(ConstantSpectrum{0.0}, 0.0f);
+  black.specular_color = tint, black.specular_scale = 2.0f;
+  SceneBuilder b;
+  b.floor({0, 0, 0}, 1, 1, b.material(black));
+  b.ceiling({0, 0, 3}, 2, 2, b.lamp(d65(), 3.0));
+  b.camera({0, 0, 1}, {0, 0, 0}, 0.05, 8, 8);
+  const PreparedScene scene(b.build());
+  const Xyz expected = xyz_of(d65(), 2 * 0.04 * 3.0, tint);
+  expect_xyz(render(scene, UniformWavelengths{4}, options(1000, 2)), expected, 2, "render", 2e-4);
+  expect_xyz(render_naive(scene, UniformWavelengths{4}, options(1000, 2)), expected, 2, "oracle", 2e-4);
+}
+
 /// What a slab of glass lets through: Airy's sum without interference, T = (1 − F)²τ / (1 − F²τ²).
 TabulatedSpectrum slab_transmittance(const Spectrum& colour, double fresnel, double distance) {
   std::vector<double> lambda, value;

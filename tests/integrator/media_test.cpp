@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <numbers>
+#include <tuple>
+
+#include "spectral/observer.h"
+#include "support/layered_materials.h"
 #include "support/render_checks.h"
 #include "support/slabs.h"
 
@@ -92,6 +98,114 @@ TEST(Media, GlassInGlassKeepsEnergy) {
     expect_unseen({flint, glass(1.33f)}, "water in flint" + r);
     expect_unseen({glass(1.33f), flint}, "flint in water" + r);
   }
+}
+
+TEST(Media, OpaqueInWaterKeepsEnergy) {
+  const Material water = solid_glass(1.33f, 0.0f), white = plastic(ConstantSpectrum{1.0}, 0.3f);
+  expect_unseen({water, white}, "plastic");
+  expect_unseen({water, coated(white, 0.2f)}, "coat");
+  expect_unseen({water, iridescent(white, 400.0f)}, "film");
+  expect_unseen({water, perfect_conductor(0.3f)}, "conductor");
+}
+
+/// What mirrors of index 1.5, films on them and metals show straight on, in water: reflectances by relative
+/// indices.
+TEST(Media, OpaqueReflectsByRelativeIndices) {
+  const Material black = plastic(ConstantSpectrum{0.0}, 0.0f);
+  const Material iron = of_metal("Fe", 0.0f);
+  const DielectricIndex index = abbe_index(1.4, 5.0);
+  using Reflectance = std::function<double(float water, double lambda)>;
+  const Reflectance of_plastic = [](float water, double) { return normal_reflectance(1.5f / water); };
+  const Reflectance of_film = [](float water, double lambda) {
+    const float phase = static_cast<float>(2.0 * std::numbers::pi * 400.0 / lambda);
+    return ThinFilm{water, 1.8f, {1.5f}, phase}.reflectance(1.0f);
+  };
+  const Reflectance of_iron = [&](float water, double lambda) {
+    const ConductorIndex& i = *iron.extensions.conductor;
+    return fresnel_conductor(1.0f, static_cast<float>(i.n(lambda)) / water,
+                             static_cast<float>(i.k(lambda)) / water);
+  };
+  const Reflectance of_coat = [&](float, double lambda) {
+    const float d = static_cast<float>(refractive_index(index, 587.56));
+    const double coat = normal_reflectance(1.5f / d);
+    return coat + (1.0 - coat) * of_iron(static_cast<float>(refractive_index(index, lambda)), lambda);
+  };
+  const std::tuple<const char*, Material, Reflectance> cases[] = {
+      {"plastic", black, of_plastic},
+      {"layered plastic", with_sheen(black, 0.5f, 1e-9), of_plastic},
+      {"film", iridescent(black, 400.0f), of_film},
+      {"iron", iron, of_iron},
+      {"coated iron", coated(iron, 0.0f), of_coat}};
+  for (const auto& [what, material, reflectance] : cases) {
+    Material water = solid_glass(1.4f, 0.0f);
+    water.extensions.dispersion = index;
+    SceneBuilder b;
+    b.box({-5, -5, -5}, {5, 5, 5}, b.material(water));
+    b.floor({0, 0, 0}, 1, 1, b.material(material));
+    b.ceiling({0, 0, 3}, 2, 2, b.lamp(ConstantSpectrum{1.0}, kLamp));
+    b.camera({0, 0, 1}, {0, 0, 0}, 0.05, 4, 4);
+    double seen = 0.0, whole = 0.0;
+    for (double lambda = kLambdaMin + 0.5; lambda < kLambdaMax; lambda += 1.0) {
+      const double y = Observer::cie1931()(lambda).y;
+      whole += y;
+      seen += y * reflectance(static_cast<float>(refractive_index(index, lambda)), lambda);
+    }
+    const PreparedScene scene(b.build());
+    const UniformWavelengths sampler{4};
+    const RenderOptions o{.spp = 4000, .sequence = Sequence::independent, .seed = 1, .max_depth = 2};
+    expect_luminance(render(scene, sampler, o).film, kLamp * seen / whole, what, 1e-3);
+    expect_luminance(render_naive(scene, sampler, o).film, kLamp * seen / whole,
+                     std::string(what) + ", oracle", 1e-3);
+  }
+}
+
+/// Glass that shines.
+std::uint32_t shining(SceneBuilder& b, int priority) {
+  Material m = tinted(1.4f, 0.5, priority);
+  m.emission_spectrum = b.emission(d65());
+  m.emission_luminance = 5.0f;
+  return b.material(m);
+}
+
+/// In glass of a higher priority it is not there: neither paths nor light samples find it.
+TEST(Media, HiddenGlassDoesNotShine) {
+  for (const bool hidden : {true, false}) {
+    SceneBuilder b;
+    b.box({-1, -1, -1}, {1, 1, 1}, b.material(tinted(1.5f, 0.9, 5)));
+    b.box({-0.7, -0.3, -0.3}, {-0.3, 0.3, 0.3}, shining(b, hidden ? 0 : 5));
+    b.sphere({0.4, 0, 0}, 0.3, 2, b.material(diffuse(ConstantSpectrum{0.8})));
+    b.camera({0.5, -4, 1}, {0, 0, 0}, 35, 8, 8);
+    const PreparedScene scene(b.build());
+    const RenderOptions o{.spp = 50, .sequence = Sequence::independent, .seed = 1, .max_depth = 8};
+    const double seen = luminance(render(scene, UniformWavelengths{4}, o).film).mean,
+                 naive = luminance(render_naive(scene, UniformWavelengths{4}, o).film).mean;
+    if (hidden) {
+      EXPECT_EQ(seen, 0.0);
+      EXPECT_EQ(naive, 0.0);
+    } else {
+      EXPECT_GT(seen, 0.1);
+      EXPECT_GT(naive, 0.1);
+    }
+  }
+}
+
+/// Half of it hidden, from vertices on either side of rough glass and within: light samples find what paths
+/// do.
+TEST(Media, HalfHiddenGlassAgreesWithTheOracle) {
+  SceneBuilder b;
+  Material frosted = tinted(1.3f, 0.7, 5);
+  frosted.roughness = 0.5f;
+  b.box({-1, -1, -1}, {1, 1, 1}, b.material(frosted));
+  b.box({-0.9, -0.8, 0.2}, {-0.2, 0.8, 1.6}, shining(b, 0));
+  b.box({-0.6, -0.5, -0.8}, {0.2, 0.1, -0.5}, shining(b, 7));
+  b.sphere({0.45, 0, 0}, 0.4, 2, b.material(diffuse(ConstantSpectrum{0.8})));
+  b.floor({0, 0, -1.2}, 4, 4, b.material(diffuse(ConstantSpectrum{0.8})));
+  b.camera({1, -4, 2}, {0, 0, 0}, 40, 12, 12);
+  const PreparedScene scene(b.turn({0.3, 0.2, 1}, 0.2).build());
+  RenderOptions o{.spp = 600, .sequence = Sequence::independent, .seed = 1, .max_depth = 8};
+  const RenderResult clever = render(scene, UniformWavelengths{4}, o);
+  o.seed = 2, o.spp = 1500;
+  expect_same_image(clever.film, render_naive(scene, UniformWavelengths{4}, o).film, 1, "half hidden");
 }
 
 /// More shells than a path remembers: counted, and no energy is made.
@@ -234,6 +348,7 @@ TEST(PathMedia, OrderIsByPriorityThenByEntering) {
   media.meet_screen();
   EXPECT_FALSE(media.hidden());
   EXPECT_EQ(media.on_side(false), 0);
+  EXPECT_EQ(media.outside(), 0);
   meet(kWater, true);
   EXPECT_TRUE(media.hidden());
   meet(kGlass, true);

@@ -51,6 +51,15 @@ void set_base_color(const GltfDocument& document, std::size_t index, Material& m
   }
 }
 
+/// The colour may be above 1, a reflectance may not.
+void set_specular_color(const Rgb& color, Material& material) {
+  const double scale = std::max({1.0, color.r, color.g, color.b});
+  const Rgb scaled{color.r / scale, color.g / scale, color.b / scale};
+  material.specular_scale = static_cast<float>(scale);
+  material.specular_color = reflectance_from_rgb(scaled);
+  material.specular_color_factor = to_float({scaled.r, scaled.g, scaled.b});
+}
+
 /// What textures and vertex colours need of the geometry.
 void set_attributes(const GltfDocument& document, std::size_t index, Material& material) {
   for (const GltfTextureUse& use : gltf_texture_uses(document, index)) {
@@ -102,9 +111,7 @@ Material load_material(const GltfDocument& document, std::size_t index) {
     document.fail(pointer + "/extensions/KHR_materials_ior/ior",
                   fmt::format("{} is neither 0 nor at least 1", material.ior), "glass is 1.5, water 1.33");
   material.specular = specular.number("specularFactor", 1.0);
-  const Rgb color = specular.color("specularColorFactor");
-  material.specular_color = reflectance_from_rgb(color);
-  material.specular_color_factor = to_float({color.r, color.g, color.b});
+  set_specular_color(specular.color("specularColorFactor"), material);
   material.transmission = transmission.number("transmissionFactor", 0.0);
   material.thin_walled = !(volume.number("thicknessFactor", 0.0) > 0.0f);
   material.attenuation_color = reflectance_from_rgb(volume.color("attenuationColor"));
@@ -134,17 +141,6 @@ void warn_of_bare_glass(const GltfDocument& document, Scene& scene) {
         material.name.empty() ? std::to_string(i) : fmt::format("\"{}\"", material.name.substr(0, 60));
     scene.warnings.push_back(fmt::format("material {}: its glass is rendered without {}", name, missing));
   }
-}
-
-void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& warnings) {
-  std::size_t bright_specular = 0;
-  for (const tinygltf::Material& m : document.model.materials) {
-    const Rgb color = Extension(m, "KHR_materials_specular").color("specularColorFactor");
-    if (std::max({color.r, color.g, color.b}) > 1.0) ++bright_specular;
-  }
-  if (bright_specular > 0)
-    warnings.push_back(
-        fmt::format("materials with a specularColorFactor above 1, cut to 1: {}", bright_specular));
 }
 
 }  // namespace
@@ -189,7 +185,6 @@ void load_gltf_materials(const GltfDocument& document, Scene& scene) {
   for (std::size_t i = 0; i < count; ++i) scene.materials.push_back(load_material(document, i));
   scene.materials.push_back(Material{.name = "default"});
   find_vertex_colors(document, scene.materials);
-  warn_of_ignored(document, scene.warnings);
   warn_of_bare_glass(document, scene);
 }
 

@@ -30,7 +30,7 @@ inline constexpr Object kTexture(kTextureInfo);
 inline constexpr Number kUnit{0, 1};
 inline constexpr Number kPositive{1e-30, kNoLimit};
 inline constexpr Number kNotNegative{0, kMaxFloat};
-/// Colours above 1 are no reflectances, yet seen in the wild where the extension's schema lets them stand.
+/// A colour that scales a reflectance may be above 1.
 inline constexpr Numbers kUnitColor{3, 0, 1}, kColor{3, 0, kMaxFloat};
 
 inline constexpr Member kMetallicRoughness[] = {
