@@ -44,11 +44,27 @@ fs::path folder_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : ".";
 }
 
-/// A name for the time of writing, which no other process uses.
-fs::path partial_name(const fs::path& target) {
+/// A new file for the time of writing, which nobody else uses: containers that share a folder may share
+/// process ids, too.
+struct Partial {
+  fs::path path;
+  int file = -1;
+};
+
+fs::path partial_name(const fs::path& target, int number) {
   constexpr std::size_t kLongest = 200;  // with what is added it stays within the 255 of most disks
-  return folder_of(target) / ("." + target.stem().string().substr(0, kLongest) + "." +
-                              std::to_string(::getpid()) + ".partial" + target.extension().string());
+  return folder_of(target) /
+         ("." + target.stem().string().substr(0, kLongest) + "." + std::to_string(::getpid()) + "-" +
+          std::to_string(number) + ".partial" + target.extension().string());
+}
+
+/// Its `file` is below 0, and errno says why, where none can be made.
+Partial make_partial(const fs::path& target) {
+  for (int number = 0;; ++number) {
+    Partial partial{partial_name(target, number)};
+    partial.file = ::open(partial.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (partial.file >= 0 || errno != EEXIST) return partial;
+  }
 }
 
 std::error_code write_all(int descriptor, std::string_view bytes) {
@@ -62,9 +78,9 @@ std::error_code write_all(int descriptor, std::string_view bytes) {
   return {};
 }
 
-/// @return what failed; some disks tell that they are full only when the file is closed
-std::error_code write_to(const fs::path& path, std::string_view bytes, std::optional<mode_t> permissions) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+/// Writes all of an opened file and closes it.
+/// @return what failed, to open it too; some disks tell that they are full only when the file is closed
+std::error_code write_to(int file, std::string_view bytes, std::optional<mode_t> permissions) {
   if (file < 0) return last_error();
   std::error_code failure = write_all(file, bytes);
   if (permissions && ::fchmod(file, *permissions) != 0 && !failure) failure = last_error();
@@ -103,26 +119,27 @@ const char* remedy_of(const std::error_code& error) {
 }
 
 void replace(const fs::path& file, std::string_view bytes) {
-  const fs::path target = follow_links(file), partial = partial_name(target);
-  if (const std::error_code error = write_to(partial, bytes, permissions_of(target))) {
-    std::error_code ignored;
-    fs::remove(partial, ignored);
+  const fs::path target = follow_links(file);
+  const std::optional<mode_t> permissions = permissions_of(target);
+  const Partial partial = make_partial(target);
+  if (const std::error_code error = write_to(partial.file, bytes, permissions)) {
+    if (partial.file >= 0) ::unlink(partial.path.c_str());
     fail(file, error);
   }
   std::error_code error;
-  fs::rename(partial, target, error);
+  fs::rename(partial.path, target, error);
   if (error)
     throw InputError(file.string(), "cannot be replaced: " + error.message(),
-                     "what was to be written is whole in " + partial.string());
+                     "what was to be written is whole in " + partial.path.string());
 }
 
 /// Makes a file as replace() will, and removes it.
 std::error_code try_folder(const fs::path& target) {
   struct stat ignored {};
   if (::lstat(target.c_str(), &ignored) != 0 && errno != ENOENT) return last_error();
-  const fs::path partial = partial_name(target);
-  const std::error_code error = write_to(partial, "", {});
-  ::unlink(partial.c_str());
+  const Partial partial = make_partial(target);
+  const std::error_code error = write_to(partial.file, "", {});
+  if (partial.file >= 0) ::unlink(partial.path.c_str());
   return error;
 }
 
@@ -140,8 +157,10 @@ void write_file(const fs::path& file, std::string_view bytes) {
   const std::optional<int> stream = standard_stream(file);
   if (!stream && !is_special(file)) return replace(file, bytes);
   std::fflush(nullptr);  // what was printed before comes before
-  if (const std::error_code error = stream ? write_all(*stream, bytes) : write_to(file, bytes, {}))
-    fail(file, error);
+  const auto write_special = [&] {
+    return write_to(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), bytes, {});
+  };
+  if (const std::error_code error = stream ? write_all(*stream, bytes) : write_special()) fail(file, error);
 }
 
 void check_writable_file(const fs::path& file) {

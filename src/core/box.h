@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math.h"
+#include "core/affine.h"
 
 namespace photopic {
 
@@ -20,6 +20,7 @@ struct Box {
   Vec3<T> low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
 
   void add(Vec3<T> p) { low = lower(low, p), high = upper(high, p); }
+  void add(const Box& b) { low = lower(low, b.low), high = upper(high, b.high); }
   void grow(T d) {
     low = low - Vec3<T>{d, d, d};
     high = high + Vec3<T>{d, d, d};
@@ -37,5 +38,13 @@ struct Box {
 };
 using Boxf = Box<float>;
 using Boxd = Box<double>;
+
+/// The box about a box that is mapped; none for none.
+template <typename T>
+Box<T> image_of(const Box<T>& box, const AffineMap<T>& map) {
+  Box<T> image;
+  for (int i = 0; i < 8 && !box.is_empty(); ++i) image.add(map.point(box.corner(i)));
+  return image;
+}
 
 }  // namespace photopic

@@ -32,17 +32,13 @@ ShapeTraits traits_of(const Shape& shape, const Surface& surface, std::span<cons
 
 }  // namespace
 
-void prepare_albedos(const std::vector<bool>& used, std::span<Surface> surfaces) {
-  std::vector<Surface*> shaded;
+void prepare_albedos(const std::vector<bool>& used, std::span<Surface> surfaces, const Geometry& geometry) {
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (!used[i]) continue;
-    Surface& s = surfaces[i];
-    shaded.push_back(&s);
-    if (!s.extensions) continue;
+    if (!used[i] || !surfaces[i].extensions) continue;
     FresnelAlbedo::table();
-    if (s.extensions->has_sheen()) SheenAlbedo::table();
+    if (surfaces[i].extensions->has_sheen()) SheenAlbedo::table();
   }
-  prepare_rough_glass(shaded);
+  prepare_rough_glass(used, surfaces, geometry);
 }
 
 PreparedScene::PreparedScene(Scene source)
@@ -56,7 +52,7 @@ PreparedScene::PreparedScene(Scene source)
   for (const Shape& shape : scene.geometry.shapes)
     shapes.push_back(traits_of(shape, surfaces[shape.material], touching));
   // What is made when first asked for is made now, on nobody's clock.
-  prepare_albedos(used_materials(scene), surfaces);
+  prepare_albedos(used_materials(scene), surfaces, scene.geometry);
   if (scene.environment) rgb_tints();
 }
 

@@ -14,8 +14,9 @@
 namespace photopic {
 
 /// Integrates the albedo tables that surfaces need, each once.
-/// @param used which surfaces are seen; the others get no table
-void prepare_albedos(const std::vector<bool>& used, std::span<Surface> surfaces);
+/// @param used which surfaces are seen; the others get no table @param geometry where they are
+void prepare_albedos(const std::vector<bool>& used, std::span<Surface> surfaces,
+                     const Geometry& geometry = {});
 
 /// What is asked of every hit, in a few bytes a shape: surfaces are large, and seldom near.
 struct ShapeTraits {

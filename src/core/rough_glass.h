@@ -1,14 +1,17 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "core/surface.h"
 
 namespace photopic {
 
 /// Makes the tables of those surfaces of a scene that are of rough solid glass: for the ratios of indices
-/// that each can have to what is around it, air or others' media; those that would hide it do not count.
-/// @param surfaces all that are used
-void prepare_rough_glass(std::span<Surface* const> surfaces);
+/// that each can have to what is around it, air or others' media; those that would hide it, and those whose
+/// boxes lie apart from its own, do not count. Glasses that need the same table share one.
+/// @param used which surfaces are seen @param geometry where they are
+void prepare_rough_glass(const std::vector<bool>& used, std::span<Surface> surfaces,
+                         const Geometry& geometry);
 
 }  // namespace photopic

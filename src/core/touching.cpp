@@ -1,5 +1,6 @@
 #include "core/touching.h"
 
+#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
@@ -27,7 +28,6 @@ using Corners = std::array<Vec3f, 3>;
 struct Item {
   Boxf box;  ///< grown by the reach
   std::uint32_t triangle, instance;
-  bool solid;
 };
 
 Corners corners_of(const Geometry& geometry, std::uint32_t triangle, std::uint32_t instance) {
@@ -41,6 +41,14 @@ Corners corners_of(const Geometry& geometry, std::uint32_t triangle, std::uint32
 
 float error_of(const Geometry& geometry, const Corners& c, std::uint32_t instance) {
   return instance == kNoInstance ? position_error(c[0], c[1], c[2]) : geometry.instances[instance].error;
+}
+
+Item item_of(const Geometry& geometry, std::uint32_t triangle, std::uint32_t instance) {
+  const Corners c = corners_of(geometry, triangle, instance);
+  Item item{{}, triangle, instance};
+  for (const Vec3f& p : c) item.box.add(p);
+  item.box.grow(kReach * error_of(geometry, c, instance));
+  return item;
 }
 
 Vec3d unit_normal(const Corners& c) {
@@ -82,14 +90,24 @@ bool touch(const Corners& a, const Corners& b, double reach) {
          !edge_separates(a, na, b, reach) && !edge_separates(b, nb, a, reach);
 }
 
-/// Finds pairs: a tree of boxes, joined with itself.
+/// Finds pairs: a tree of the solids' boxes, joined with itself and with what else there is.
 class Search {
  public:
-  Search(const Geometry& geometry, std::vector<Item> items)
-      : geometry_(geometry), items_(std::move(items)), bounds_(geometry.triangles.size()) {}
+  Search(const Geometry& geometry, std::vector<Item> solids)
+      : geometry_(geometry),
+        items_(std::move(solids)),
+        bounds_(geometry.triangles.size()),
+        root_(build(0, items_.size())) {}
 
-  std::vector<float> run() && {
-    within(*build(0, items_.size()));
+  void join_solids() { within(*root_); }
+
+  /// What is not solid. Threads may ask at once.
+  void join(const Item& other) { against(*root_, other); }
+
+  /// Whether a solid may touch what is in that box.
+  bool is_near(const Boxf& box) const { return is_near(*root_, box); }
+
+  std::vector<float> take() && {
     if (!any_) bounds_.clear();
     return std::move(bounds_);
   }
@@ -97,7 +115,6 @@ class Search {
  private:
   struct Node {
     Boxf box;
-    bool solid;  ///< some item is
     std::size_t begin, end;
     std::unique_ptr<Node> left, right;  ///< both or none
   };
@@ -112,11 +129,8 @@ class Search {
   }
 
   std::unique_ptr<Node> build(std::size_t begin, std::size_t end) {
-    auto node = std::make_unique<Node>(Node{{}, false, begin, end, nullptr, nullptr});
-    for (std::size_t i = begin; i < end; ++i) {
-      node->box.add(items_[i].box.low), node->box.add(items_[i].box.high);
-      node->solid |= items_[i].solid;
-    }
+    auto node = std::make_unique<Node>(Node{{}, begin, end, nullptr, nullptr});
+    for (std::size_t i = begin; i < end; ++i) node->box.add(items_[i].box);
     if (end - begin <= kLeaf) return node;
     const Vec3f size = node->box.high - node->box.low;
     const auto axis = size.x >= size.y && size.x >= size.z ? &Vec3f::x
@@ -133,7 +147,6 @@ class Search {
   }
 
   void within(const Node& n) {
-    if (!n.solid) return;
     if (!n.left) {
       for (std::size_t i = n.begin; i < n.end; ++i)
         for (std::size_t j = i + 1; j < n.end; ++j) compare(items_[i], items_[j]);
@@ -145,7 +158,7 @@ class Search {
   }
 
   void between(const Node& a, const Node& b) {
-    if (!(a.solid || b.solid) || !a.box.overlaps(b.box)) return;
+    if (!a.box.overlaps(b.box)) return;
     if (!a.left && !b.left) {
       for (std::size_t i = a.begin; i < a.end; ++i)
         for (std::size_t j = b.begin; j < b.end; ++j) compare(items_[i], items_[j]);
@@ -156,8 +169,21 @@ class Search {
     }
   }
 
+  void against(const Node& n, const Item& other) {
+    if (!n.box.overlaps(other.box)) return;
+    if (n.left) return against(*n.left, other), against(*n.right, other);
+    for (std::size_t i = n.begin; i < n.end; ++i) compare(items_[i], other);
+  }
+
+  bool is_near(const Node& n, const Boxf& box) const {
+    if (!n.box.overlaps(box)) return false;
+    if (n.left) return is_near(*n.left, box) || is_near(*n.right, box);
+    const auto items = std::span(items_).subspan(n.begin, n.end - n.begin);
+    return std::ranges::any_of(items, [&](const Item& i) { return i.box.overlaps(box); });
+  }
+
   void compare(const Item& a, const Item& b) {
-    if (!(a.solid || b.solid) || !a.box.overlaps(b.box)) return;
+    if (!a.box.overlaps(b.box)) return;
     const Corners ca = corners_of(geometry_, a.triangle, a.instance),
                   cb = corners_of(geometry_, b.triangle, b.instance);
     const float error = std::max(error_of(geometry_, ca, a.instance), error_of(geometry_, cb, b.instance));
@@ -174,44 +200,70 @@ class Search {
   const Geometry& geometry_;
   std::vector<Item> items_;
   std::vector<float> bounds_;
+  std::unique_ptr<const Node> root_;
   std::atomic<bool> any_ = false;
 };
 
-/// Triangles of a range of shapes, in the world or of an instance.
-void add_items(std::vector<Item>& items, const Geometry& geometry, std::span<const Surface> surfaces,
-               std::span<const Shape> shapes, std::uint32_t instance, const Boxf* near, bool solids) {
-  for (const Shape& shape : shapes) {
-    if (surfaces[shape.material].encloses != solids) continue;
-    for (std::uint32_t t = shape.first_triangle; t < shape.first_triangle + shape.triangle_count; ++t) {
-      const Corners c = corners_of(geometry, t, instance);
-      Item item{{}, t, instance, solids};
-      for (const Vec3f& p : c) item.box.add(p);
-      item.box.grow(kReach * error_of(geometry, c, instance));
-      if (!near || item.box.overlaps(*near)) items.push_back(item);
-    }
-  }
+std::span<const Shape> baked_shapes(const Geometry& geometry) {
+  return std::span(geometry.shapes).first(geometry.baked_shape_count());
 }
 
-void add_all(std::vector<Item>& items, const Geometry& geometry, std::span<const Surface> surfaces,
-             const Boxf* near, bool solids) {
-  const std::span<const Shape> shapes = geometry.shapes;
-  add_items(items, geometry, surfaces, shapes.first(geometry.baked_shape_count()), kNoInstance, near, solids);
-  for (std::uint32_t i = 0; i < geometry.instances.size(); ++i) {
-    const Prototype& p = geometry.prototypes[geometry.instances[i].prototype];
-    add_items(items, geometry, surfaces, shapes.subspan(p.first_shape, p.shape_count), i, near, solids);
-  }
+std::span<const Shape> shapes_of(const Geometry& geometry, const Prototype& prototype) {
+  return std::span(geometry.shapes).subspan(prototype.first_shape, prototype.shape_count);
+}
+
+std::vector<Item> list_solids(const Geometry& geometry, std::span<const Surface> surfaces) {
+  std::vector<Item> items;
+  const auto add = [&](std::span<const Shape> shapes, std::uint32_t instance) {
+    for (const Shape& shape : shapes)
+      for (std::uint32_t i = 0; surfaces[shape.material].encloses && i < shape.triangle_count; ++i)
+        items.push_back(item_of(geometry, shape.first_triangle + i, instance));
+  };
+  add(baked_shapes(geometry), kNoInstance);
+  for (std::uint32_t i = 0; i < geometry.instances.size(); ++i)
+    add(shapes_of(geometry, geometry.prototypes[geometry.instances[i].prototype]), i);
+  return items;
+}
+
+/// Around what is not solid of a prototype, in its own space.
+Boxf box_of_others(const Geometry& geometry, std::span<const Surface> surfaces, const Prototype& prototype) {
+  Boxf box;
+  for (const Shape& shape : shapes_of(geometry, prototype))
+    for (std::uint32_t i = 0; !surfaces[shape.material].encloses && i < shape.triangle_count; ++i)
+      for (const std::uint32_t corner : geometry.triangles[shape.first_triangle + i])
+        box.add(geometry.positions[corner]);
+  return box;
+}
+
+/// Instances far from all solids, most where there are many, cost no more than a look at their boxes.
+void join_others(const Geometry& geometry, std::span<const Surface> surfaces, Search& search) {
+  const auto join = [&](std::span<const Shape> shapes, std::uint32_t instance) {
+    for (const Shape& shape : shapes)
+      if (!surfaces[shape.material].encloses)
+        tbb::parallel_for(shape.first_triangle, shape.first_triangle + shape.triangle_count,
+                          [&](std::uint32_t t) { search.join(item_of(geometry, t, instance)); });
+  };
+  join(baked_shapes(geometry), kNoInstance);
+  std::vector<Boxf> boxes;
+  for (const Prototype& p : geometry.prototypes) boxes.push_back(box_of_others(geometry, surfaces, p));
+  tbb::parallel_for(std::size_t{0}, geometry.instances.size(), [&](std::size_t i) {
+    const Instance& instance = geometry.instances[i];
+    Boxf box = image_of(boxes[instance.prototype], instance.to_world);
+    box.grow((kReach + 2.0f) * instance.error);  // its corners and those of what it holds are rounded
+    if (search.is_near(box))
+      join(shapes_of(geometry, geometry.prototypes[instance.prototype]), static_cast<std::uint32_t>(i));
+  });
 }
 
 }  // namespace
 
 std::vector<float> touching_triangles(const Geometry& geometry, std::span<const Surface> surfaces) {
-  std::vector<Item> items;
-  add_all(items, geometry, surfaces, nullptr, true);
-  if (items.empty()) return {};
-  Boxf near;
-  for (const Item& i : items) near.add(i.box.low), near.add(i.box.high);
-  add_all(items, geometry, surfaces, &near, false);
-  return Search(geometry, std::move(items)).run();
+  std::vector<Item> solids = list_solids(geometry, surfaces);
+  if (solids.empty()) return {};
+  Search search(geometry, std::move(solids));
+  search.join_solids();
+  join_others(geometry, surfaces, search);
+  return std::move(search).take();
 }
 
 }  // namespace photopic

@@ -163,12 +163,13 @@ WavelengthDistribution::Targets read_targets(const Place& place) {
 }
 
 WavelengthDistribution from_json(const Place& root) {
-  root.only_keys({"format", "version", "spectrum", "spectrum_digest", "objective", "targets",
-                  "optimize_seconds", "value", "baselines", "base", "stepped", "components"});
+  // First of all: another version may have other keys.
   if (root.at("format").text() != kFormat)
     root.at("format").refuse(std::string("expected \"") + kFormat + "\"");
   if (root.at("version").number() != kVersion)
     root.at("version").refuse("this program knows version " + std::to_string(kVersion) + " only");
+  root.only_keys({"format", "version", "spectrum", "spectrum_digest", "objective", "targets",
+                  "optimize_seconds", "value", "baselines", "base", "stepped", "components"});
   const Place baselines = root.at("baselines");
   baselines.only_keys({"uniform", "visible", "illuminant"});
   const bool stepped = root.at("stepped").truth();

@@ -178,6 +178,20 @@ class WhereTheyLead(OutputTest):
         self.assertEqual(len(kept), 1)
         self.assertIn(kept[0].name, error)
         self.assertEqual(kept[0].read_bytes()[:4], first[:4])
+
+    def test_processes_of_the_same_number_do_not_share_a_partial_file(self):
+        """Containers number theirs apart; here each free name has been taken by another."""
+        names = [f".a.{{}}{number}.partial.exr" for number in ["", "-0", "-1"]]
+
+        def take_names():
+            for name in names:
+                (self.folder / name.format(os.getpid())).write_text("another's")
+
+        result = self.run_photopic(*self.render("-o", "a.exr", size="8x8"), preexec_fn=take_names)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        others = list(self.folder.glob(".a.*.partial.exr"))
+        self.assertEqual([path.read_text() for path in others], ["another's"] * len(names))
+        self.assertTrue((self.folder / "a.exr").exists())
 class BrokenStderr(OutputTest):
     """Nobody can be told, but the work is done all the same."""
 

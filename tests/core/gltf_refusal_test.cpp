@@ -253,6 +253,7 @@ TEST_F(SharedFiles, GoodFilesLoad) {
       {"MultipleScenes.gltf", 2},        {"SimpleSparseAccessor.gltf", 12},
       {"Mesh_PrimitiveMode_04.gltf", 2}, {"Mesh_PrimitiveMode_05.gltf", 2},
       {"Mesh_PrimitiveMode_11.gltf", 2}, {"Mesh_PrimitiveMode_12.gltf", 2}};
+  std::size_t found = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(shared_ / "good")) {
     const std::string name = entry.path().filename().string();
     if (entry.path().extension() != ".gltf" && entry.path().extension() != ".glb") continue;
@@ -261,20 +262,27 @@ TEST_F(SharedFiles, GoodFilesLoad) {
     EXPECT_GT(scene.geometry.triangles.size(), 0u);
     if (triangles.contains(name)) {
       EXPECT_EQ(scene.geometry.triangles.size(), triangles.at(name));
+      ++found;
     }
   }
+  EXPECT_EQ(found, triangles.size());
 }
 
 TEST_F(SharedFiles, BadFilesAreRefused) {
   const std::set<std::string> odd = {"geo_degenerate_all", "node_scale_zero", "node_chain_50000"};
+  std::size_t warned = 0, refused = 0;
   for (const auto& entry : std::filesystem::directory_iterator(shared_ / "bad")) {
     SCOPED_TRACE(entry.path().filename());
     if (odd.contains(entry.path().stem().string())) {
       EXPECT_FALSE(load_gltf(entry.path(), options_).warnings.empty());
+      ++warned;
     } else {
       EXPECT_FALSE(message([&] { load_gltf(entry.path(), options_); }).empty());
+      ++refused;
     }
   }
+  EXPECT_EQ(warned, odd.size());
+  EXPECT_GT(refused, 0u);
 }
 
 }  // namespace

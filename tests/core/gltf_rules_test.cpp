@@ -111,6 +111,8 @@ TEST_F(GltfRulesTest, EachRuleIsHeld) {
       {"/skins/0/joints", "[0, 9, 9]", "/skins/0/inverseBindMatrices"},
       {"/animations/0/channels/0/target/node", "99"},
       {"/animations/0/samplers/0/input", "99"},
+      {"/accessors/14/sparse/indices/byteOffset", "2147483648"},
+      {"/accessors/14/sparse/values/byteOffset", "2147483648"},
       {"/materials/0/name", "7"},
       {"/extensionsRequired", "[\"KHR_draco_mesh_compression\"]", "/extensionsRequired/0"},
   };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/instances.h"
 #include "support/render_checks.h"
 #include "support/slabs.h"
 
@@ -202,6 +203,15 @@ TEST(TouchingSolids, NoLightLeaksUnderGlassOnAFloor) {
   }
 }
 
+std::vector<float> touching(const Scene& scene) {
+  const std::vector<Surface> surfaces(scene.materials.begin(), scene.materials.end());
+  return touching_triangles(scene.geometry, surfaces);
+}
+
+std::ptrdiff_t count_marked(const Scene& scene) {
+  return std::ranges::count_if(touching(scene), [](float error) { return error > 0.0f; });
+}
+
 /// What touches is marked, what only shares an edge is not.
 TEST(TouchingTriangles, AreThoseThatLieInOnePlace) {
   const auto marked = [](double gap, double shift, bool solid) {
@@ -211,9 +221,7 @@ TEST(TouchingTriangles, AreThoseThatLieInOnePlace) {
     b.box({-1, 0, 0}, {0, 1, 1}, glass);
     b.box({gap, shift, 0}, {1, 1 + shift, 1}, solid ? glass : paint);
     b.sphere({9, 0, 0}, 1, 4, glass);
-    const Scene scene = b.turn({1, 1, 0}, 0.5).build();
-    const std::vector<Surface> surfaces(scene.materials.begin(), scene.materials.end());
-    return std::ranges::count_if(touching_triangles(scene.geometry, surfaces), [](float x) { return x > 0; });
+    return count_marked(b.turn({1, 1, 0}, 0.5).build());
   };
   for (const bool solid : {false, true}) {
     EXPECT_EQ(marked(0, 0, solid), 4);
@@ -221,6 +229,32 @@ TEST(TouchingTriangles, AreThoseThatLieInOnePlace) {
     EXPECT_EQ(marked(0, 0.99, solid), 4);
     EXPECT_EQ(marked(0, 1, solid), 0);
     EXPECT_EQ(marked(1e-4, 0, solid), 0);
+  }
+}
+
+/// A pane in many places, on a glass cube or far from it: one place that touches is enough to mark it, as if
+/// it stood there by itself.
+TEST(TouchingTriangles, OfInstances) {
+  const Affine on_top = placement({1, 1, 1}, {0, 0, 1}, 0, {0.5, 0.5, 1});
+  const auto marked = [&](bool solid, const std::vector<Affine>& places, bool bake) {
+    SceneBuilder b;
+    const Material glass = solid_glass(1.5f, 0.0f), paint = diffuse(ConstantSpectrum{0.5});
+    const auto alone = b.material(glass), shared = b.material(solid ? glass : paint);
+    b.box({0, 0, 0}, {1, 1, 1}, alone);
+    b.box({900, 900, 900}, {901, 901, 901}, alone);  // the box about all glass holds all panes
+    b.floor({0, 0, 0}, 0.5, 0.5, shared);
+    const Scene scene = with_instances(b.build(), places);
+    return count_marked(bake ? baked(scene) : scene);
+  };
+  std::vector<Affine> places;
+  for (int i = 0; i < 100; ++i)
+    places.push_back(placement({1, 2, 3}, {1, 2, 3}, i, {7.0 * (i % 10) + 5, 70, 8.0 * (i / 10) + 9}));
+  for (const bool solid : {false, true}) {
+    EXPECT_EQ(marked(solid, places, false), 0);
+    places.push_back(on_top);
+    EXPECT_EQ(marked(solid, places, false), 4);
+    EXPECT_EQ(marked(solid, places, true), 4);
+    places.pop_back();
   }
 }
 

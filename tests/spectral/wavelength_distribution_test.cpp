@@ -138,7 +138,9 @@ TEST_F(DistributionFile, NamesWhatIsWrongAndWhere) {
     EXPECT_EQ(problem.find('\n'), std::string::npos);
   };
   expect("\"version\": 3", "\"version\": 1", "#/version");
-  expect("\"version\"", "\"vision\"", "vision");
+  expect("\"version\": 3", "\"new\": 1, \"version\": 4", "#/version");
+  expect("\"version\"", "\"vision\"", "\"version\" is missing");
+  expect("\"stepped\"", "\"new\": 1, \"stepped\"", "unknown key \"new\"");
   expect("\"value\": 0.0", "\"value\": \"0\"", "#/value");
   expect("\"value\": 0.0", "\"value\": 1e999", "");
   expect("\"value\": 0.0,", "", "\"value\" is missing");

@@ -19,9 +19,8 @@ class MeshSurface {
     const auto first = static_cast<std::uint32_t>(positions_.size());
     const VertexSelection selection(document, ref);
     const auto positions = read_morphed<Vec3f>(document, ref, -1, "POSITION");
-    positions_.resize(first + stored_vertex_count(document, ref.in(document)));
-    selection.for_each(positions.size(), [&](std::size_t to, std::size_t i) {
-      positions_[first + to] = positions[i];
+    selection.for_each(positions.size(), [&](std::size_t, std::size_t i) {  // places rise from 0
+      positions_.push_back(positions[i]);
       box_.add(to_double(positions[i]));
     });
     for_each_triangle(document, ref, [&](Triangle t) {

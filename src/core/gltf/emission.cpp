@@ -151,16 +151,14 @@ GltfEmissions::Added GltfEmissions::add(const GltfEmitter& emitter) {
     given = emission_from_rgb(
         emitter.color, document_.file.path.string() + "#" + emitter.pointer + "/" + emitter.color_member);
   has_lamp_ |= emitter.is_lamp;
-  if (emitter.is_lamp && !emitter.name.empty() && std::ranges::count(names_, emitter.name) == 0)
-    names_.push_back(emitter.name);
-  const std::string key = digest(given->spectrum);
-  const auto found = std::ranges::find(digests_, key);
-  const auto index = static_cast<int>(found - digests_.begin());
-  if (found != digests_.end()) return {index, measured};
-  digests_.push_back(key);
-  scene_.emission_spectra.push_back(std::move(given->spectrum));
-  scene_.emission_names.push_back(std::move(given->name));
-  return {index, measured};
+  if (emitter.is_lamp && !emitter.name.empty()) names_.insert(emitter.name);
+  const auto next = static_cast<int>(scene_.emission_spectra.size());
+  const auto [found, is_new] = index_of_.try_emplace(digest(given->spectrum), next);
+  if (is_new) {
+    scene_.emission_spectra.push_back(std::move(given->spectrum));
+    scene_.emission_names.push_back(std::move(given->name));
+  }
+  return {found->second, measured};
 }
 
 void GltfEmissions::check_dark(const tinygltf::Value& extras, const std::string& pointer,
@@ -171,11 +169,11 @@ void GltfEmissions::check_dark(const tinygltf::Value& extras, const std::string&
 
 void GltfEmissions::check_overrides() const {
   for (const EmitterOverride& given : overrides_) {
-    if (given.name.empty() || std::ranges::count(names_, given.name) > 0) continue;
+    if (given.name.empty() || names_.contains(given.name)) continue;
     throw InputError(
         "--emitter " + given.name + "=" + given.text, "no emissive material or light has that name",
         names_.empty() ? document_.file.path.string() + " has no emitter with a name: leave NAME= out"
-                       : choose_one_of(names_, given.name));
+                       : choose_one_of(std::vector(names_.begin(), names_.end()), given.name));
   }
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,7 +47,8 @@ class GltfEmissions {
   const GltfDocument& document_;
   const std::vector<EmitterOverride> overrides_;
   Scene& scene_;
-  std::vector<std::string> digests_, names_;
+  std::map<std::string, int> index_of_;  ///< of each spectrum, by its digest
+  std::set<std::string> names_;          ///< of lamps
   bool has_lamp_ = false;
 };
 

@@ -10,14 +10,17 @@
 /// the loader may read, object by object. What two members must be to each other, member_checks.h says.
 namespace photopic::gltf_rules {
 
+/// tinygltf reads it into an int.
+inline constexpr Whole kSparseOffset{0, kMaxCount};
+
 inline constexpr Member kSparseIndices[] = {
     {"bufferView", IndexInto{"bufferViews"}, Form::one, kRequired},
-    {"byteOffset", Whole{0, kMaxBytes}},
+    {"byteOffset", kSparseOffset},
     {"componentType", Whole{5121, 5125}, Form::one, kRequired},
 };
 inline constexpr Member kSparseValues[] = {
     {"bufferView", IndexInto{"bufferViews"}, Form::one, kRequired},
-    {"byteOffset", Whole{0, kMaxBytes}},
+    {"byteOffset", kSparseOffset},
 };
 inline constexpr Member kSparse[] = {
     {"count", Whole{1, kMaxCount}, Form::one, kRequired},

@@ -82,12 +82,6 @@ void find_bodies(const GltfDocument& document, std::uint32_t mesh, const std::ve
   }
 }
 
-Boxd world_box(const Boxd& box, const Affine& to_world) {
-  Boxd placed;
-  for (int i = 0; i < 8 && !box.is_empty(); ++i) placed.add(to_world.point(box.corner(i)));
-  return placed;
-}
-
 bool holds(const Boxd& outer, const Boxd& inner) {
   const auto ordered = [](Vec3d a, Vec3d b) { return a.x <= b.x && a.y <= b.y && a.z <= b.z; };
   return ordered(outer.low, inner.low) && ordered(inner.high, outer.high);
@@ -102,7 +96,7 @@ void drop_bubbles(const GltfDocument& document, const std::vector<NodeInstance>&
   for (const NodeInstance& place : list_mesh_places(document, nodes)) {
     const auto mesh = static_cast<std::uint32_t>(document.model.nodes[place.node].mesh);
     for (GlassBody& body : std::ranges::equal_range(bodies, mesh, {}, &GlassBody::mesh)) {
-      const Boxd placed = world_box(body.box, place.to_world);
+      const Boxd placed = image_of(body.box, place.to_world);
       if (body.closure == Closure::closed) closed[body.material].push_back(placed);
       if (body.placed.is_empty()) body.placed = placed;
     }

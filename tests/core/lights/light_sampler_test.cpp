@@ -164,6 +164,57 @@ TEST(LightSampler, DensitiesAreFoundAgain) {
   }
 }
 
+/// Over the directions in which a triangle's glowing side is seen; by area, n² points.
+double integrate_density(const LightSampler& lights, const Scene& scene, const LightReference& at,
+                         std::span<const float> spectra, std::uint32_t triangle, int n) {
+  const Geometry& g = scene.geometry;
+  const auto& t = g.triangles[triangle];
+  const Vec3f a = g.positions[t[0]], ab = g.positions[t[1]] - a, ac = g.positions[t[2]] - a;
+  const Vec3f normal = cross(ab, ac);  // twice the area long
+  const std::uint32_t shape = triangle / 2;
+  const bool both_sides = scene.materials[g.shapes[shape].material].double_sided;
+  double sum = 0.0;
+  for (int i = 0; i < n * n; ++i) {
+    // Unfolded squares: each cell has as much of the triangle.
+    const float x = (static_cast<float>(i % n) + 0.5f) / static_cast<float>(n),
+                y = (static_cast<float>(i / n) + 0.5f) / static_cast<float>(n);
+    const Vec3f way = a + ab * (1.0f - std::sqrt(x)) + ac * (y * std::sqrt(x)) - at.position;
+    const float distance = length(way), cosine = -dot(way, normal) / distance;
+    if (cosine <= 0.0f && !both_sides) continue;
+    sum += double{lights.pdf(at, spectra, shape, triangle, distance)} * double{0.5f * std::abs(cosine)} /
+           double{distance * distance};
+  }
+  return sum / (n * n);
+}
+
+/// The densities' integral over all directions is the share of samples that are given.
+TEST(LightSampler, DensitiesAddUpToOne) {
+  for (const SceneBuilder& b : {three_lamps(false), many_lamps(2), many_lamps(7)}) {
+    const Scene scene = b.build();
+    const LightSampler lights(scene);
+    std::vector<float> spectra;
+    if (lights.several_spectra()) spectra = {0.7f, 0.2f};
+    lights.spectrum_probabilities(spectra);
+    for (std::uint32_t k = 0; k < 8; ++k) {
+      const SampleStream place(Sequence::independent, 3, 0, k);
+      const LightReference at{
+          {place.get_1d(0) * 2 - 1, place.get_1d(1) * 2 - 1, 1.2f + 0.6f * place.get_1d(2)},
+          {0, 0, k % 2 ? 1.0f : 0.0f}};
+      double sum = 0.0;
+      for (std::uint32_t t = 0; t < scene.geometry.triangles.size(); ++t)
+        if (scene.materials[scene.geometry.shapes[t / 2].material].emission_spectrum >= 0)
+          sum += integrate_density(lights, scene, at, spectra, t, t < 6 ? 256 : 8);
+      constexpr int kSamples = 20000;
+      int given = 0;
+      for (std::uint32_t i = 0; i < kSamples; ++i) {
+        const SampleStream stream(Sequence::independent, 8, k, i);
+        given += lights.sample(at, spectra, (i + 0.5) / kSamples, stream.get_2d(1)).has_value();
+      }
+      EXPECT_NEAR(sum, static_cast<double>(given) / kSamples, 0.01) << k;
+    }
+  }
+}
+
 TEST(LightSampler, PowerOfSpectra) {
   SceneBuilder b = three_lamps(false);
   Scene scene = b.build();
