@@ -40,6 +40,14 @@ std::vector<std::filesystem::path> check_outputs(const CompareArguments& argumen
   return outputs;
 }
 
+/// As `render` refuses it: nothing would be rendered with it.
+void check_distribution(const CompareArguments& arguments) {
+  if (arguments.scene.distribution.empty() || arguments.reference.empty()) return;
+  if (std::ranges::find(arguments.samplers, "optimized") != arguments.samplers.end()) return;
+  throw InputError("--distribution", "is for the optimised sampler alone, and the reference is not rendered",
+                   "leave it out or add optimized to --samplers");
+}
+
 /// As EXR and as PNG.
 void write_pair(const Setting& setting, const std::string& name, const Image& image, const Run& run,
                 OutputAttempts& attempt) {
@@ -110,6 +118,7 @@ int run_compare(const CompareArguments& arguments) {
   interrupt_flag();  // from here on Ctrl-C keeps what is done
   if (!arguments.reference.empty()) check_readable_file(arguments.reference);
   const std::vector<std::filesystem::path> outputs = check_outputs(arguments);
+  check_distribution(arguments);
   const int wavelengths = choose_wavelength_count(arguments.scene.wavelengths, arguments.scene.distribution);
   const PreparedScene scene(load_scene(arguments.scene, outputs));
   const Setting setting{arguments,

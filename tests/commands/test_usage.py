@@ -255,6 +255,12 @@ class Refused(CommandTest):
         self.assert_refused(render + ["--distribution", "a3.json", "--emitter", "cie:A"], "a3.json", "3")
         self.assert_refused(self.render("--distribution", "a.json"), "--distribution", "optimized")
         self.assertFalse((self.folder / "out.exr").exists())
+        self.photopic(*self.render("--quiet"))
+        compare = ["compare", self.scene, "--emitter", "cie:A", "--spp", "1", "--quiet", "--distribution", "a.json"]
+        existing = compare + ["--reference", "out.exr", "--samplers"]
+        self.assert_refused(existing + ["uniform,visible"], "--distribution", "optimised sampler alone", "--samplers")
+        self.photopic(*existing, "optimized")
+        self.photopic(*compare, "--samplers", "uniform", "--reference-spp", "2")  # the reference's
 
     def test_lamps_have_powers(self):
         self.assert_refused(["optimize", "cie:A", "cie:FL11*much", "-o", "d.json"], "cie:FL11*much", "much")
