@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -38,6 +37,9 @@ TabulatedSpectrum read_lamp(const std::string& text) {
   throw InputError(text, "gives no visible light between 360 and 830 nm", "give the spectrum of a lamp");
 }
 
+/// Of powers; their ratios stay finite.
+constexpr double kLeastPower = 1e-100, kMostPower = 1e100;
+
 /// "SPECTRUM*POWER" taken apart; a file may have a star in its name.
 std::pair<std::string, double> parse_lamp(const std::string& text) {
   const std::size_t star = text.rfind('*');
@@ -46,9 +48,10 @@ std::pair<std::string, double> parse_lamp(const std::string& text) {
   double power = 0.0;
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data() + star + 1, end, power);
-  if (error != std::errc() || rest != end || !(power > 0.0) || !std::isfinite(power))
+  if (error != std::errc() || rest != end || !(power >= kLeastPower && power <= kMostPower))
     throw InputError(text, fmt::format("\"{}\" is not a lamp's power", text.substr(star + 1)),
-                     "write a number above 0 behind the star, as in cie:FL11*2.5");
+                     fmt::format("write a number from {} to {} behind the star, as in cie:FL11*2.5",
+                                 kLeastPower, kMostPower));
   return {text.substr(0, star), power};
 }
 

@@ -264,7 +264,9 @@ class Refused(CommandTest):
 
     def test_lamps_have_powers(self):
         self.assert_refused(["optimize", "cie:A", "cie:FL11*much", "-o", "d.json"], "cie:FL11*much", "much")
-        self.assert_refused(["optimize", "cie:A*0", "-o", "d.json"], "cie:A*0")
+        for power in ["0", "-1", "1e300", "1e-300", "1e999", "inf", "nan", ""]:
+            self.assert_refused(["optimize", "cie:D65", f"cie:A*{power}", "-o", "d.json"], f"cie:A*{power}: ", "1e+100")
+        self.photopic("optimize", "cie:D65*1e-100", "cie:A*1e100", "-o", "d.json", "--effort", "quick", "--quiet")
         self.assert_refused(["optimize", "cie:A*2", "cie:FL99*2", "-o", "d.json"], "FL99")
 
     def test_distribution_of_several_lamps_must_fit_all_and_their_powers(self):
