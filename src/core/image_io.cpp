@@ -245,6 +245,11 @@ bool is_exr(const std::filesystem::path& file) {
   return lower_case_ending(file) == ".exr";
 }
 
+void limit_image_threads(int threads) {
+  OIIO::attribute("threads", threads);
+  OIIO::attribute("exr_threads", threads > 1 ? threads : -1);  // beside the caller, who waits; -1: none
+}
+
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
                  double exposure_ev, const std::vector<ImageLayer>& layers) {
   check_ending(file);

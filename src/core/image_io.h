@@ -46,6 +46,10 @@ struct ImageLayer {
   std::function<void(std::size_t pixel, std::span<float> values)> values;
 };
 
+/// How many threads images may be read and written with, OpenEXR's among them; else as many as the machine
+/// runs at once. @param threads at least 1
+void limit_image_threads(int threads);
+
 /// Writes an image by the file's ending, XYZ as such only to .exr: .exr and .hdr as floats, .png and .jpg
 /// sRGB-encoded after an exposure of `exposure_ev` stops. EXR and PNG hold the metadata (PNG as text chunks),
 /// HDR and JPEG have no place for it. EXR alone holds the layers. Written to a temporary name first: a
