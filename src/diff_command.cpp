@@ -41,7 +41,7 @@ int run_diff(const DiffArguments& arguments) {
     const nlohmann::ordered_json json = {{"version", PHOTOPIC_VERSION},
                                          {"reference", {{"image", arguments.reference.string()}}},
                                          {"runs", runs}};
-    attempt([&] { write_json_file(arguments.json, json); });
+    attempt(arguments.json, [&] { write_json_file(arguments.json, json); });
   }
   print_out(format_table(rows));
   return attempt.exit_code(kExitDone);

@@ -158,7 +158,7 @@ int run_comparison(const OptimizeArguments& arguments, const std::vector<Tabulat
       {"effort", arguments.effort},           {"white", arguments.white}, {"seed", arguments.seed},
       {"wavelengths", wavelengths_json(rows)}};
   OutputAttempts attempt;
-  if (!arguments.json.empty()) attempt([&] { write_json_file(arguments.json, json); });
+  if (!arguments.json.empty()) attempt(arguments.json, [&] { write_json_file(arguments.json, json); });
   print_out(fmt::format("{}{}\n", wavelength_table(rows), without_controls(names)));
   return attempt.exit_code(kExitDone);
 }
@@ -175,14 +175,16 @@ int run_optimize(const OptimizeArguments& arguments) {
   OptimizeResult made = optimize_with_progress(lamps, lamp_names(arguments), options, arguments.quiet);
   made.distribution.targets.measured_file = arguments.reflectances.string();
   OutputAttempts attempt;
-  attempt([&] { write_distribution(arguments.output, made.distribution); });
+  attempt(arguments.output, [&] { write_distribution(arguments.output, made.distribution); });
   const TabulatedSpectrum light = mixed_light(lamps);
-  if (!arguments.color_bar.empty()) attempt([&] { draw_color_bar(arguments, made.distribution, light); });
+  if (!arguments.color_bar.empty())
+    attempt(arguments.color_bar, [&] { draw_color_bar(arguments, made.distribution, light); });
   if (!arguments.plot.empty())
-    attempt([&] { write_file(arguments.plot, density_plot(made.initial, made.distribution, light)); });
+    attempt(arguments.plot,
+            [&] { write_file(arguments.plot, density_plot(made.initial, made.distribution, light)); });
   if (arguments.json.empty() && arguments.quiet) return attempt.exit_code(kExitDone);
   const std::vector<SamplerRow> samplers = measure_samplers(made.distribution, light, options.white);
-  if (!arguments.json.empty()) attempt([&] { write_json(arguments, made, samplers); });
+  if (!arguments.json.empty()) attempt(arguments.json, [&] { write_json(arguments, made, samplers); });
   if (!arguments.quiet) print_result(made.distribution, samplers, made.seconds);
   return attempt.exit_code(kExitDone);
 }

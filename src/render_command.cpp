@@ -109,10 +109,12 @@ std::string format_stats(const Scene& scene, const Run& run, const PhaseTimes& t
 void write_images(const RenderArguments& arguments, const Film& film, const ChromaticAdaptation& adaptation,
                   const Scene& scene, const Run& run, const std::vector<ImageLayer>& layers,
                   OutputAttempts& attempt) {
-  const Image srgb = film.to_linear_srgb(adaptation);
   for (const auto& output : arguments.outputs) {
     const bool xyz = arguments.color == "xyz" && is_exr(output);
-    attempt([&] { write_render(output, xyz ? film.to_xyz() : srgb, arguments.scene, scene, run, layers); });
+    attempt(output, [&] {
+      write_render(output, xyz ? film.to_xyz() : film.to_linear_srgb(adaptation), arguments.scene, scene, run,
+                   layers);
+    });
   }
 }
 
@@ -159,15 +161,17 @@ int run_render(const RenderArguments& arguments) {
   if (options.seconds > 0 || options.target_error > 0) run.spp = static_cast<int>(std::lround(run.mean_spp));
   run.optimize_seconds = chosen.optimize_seconds;
   run.image = arguments.outputs.front().string();
+  OutputAttempts attempt;
   const Stopwatch layer_watch;
-  const std::vector<ImageLayer> layers = make_layers(arguments, scene, result.film, films, adaptation);
+  std::vector<ImageLayer> layers;
+  attempt("--aov", [&] { layers = make_layers(arguments, scene, result.film, films, adaptation); });
   times.layers = layer_watch.seconds();
   const Stopwatch write_watch;
-  OutputAttempts attempt;
   write_images(arguments, result.film, adaptation, scene.scene, run, layers, attempt);
   times.write = write_watch.seconds();
 
-  if (!arguments.json.empty()) attempt([&] { write_json(arguments, scene.scene, run, times); });
+  if (!arguments.json.empty())
+    attempt(arguments.json, [&] { write_json(arguments, scene.scene, run, times); });
   if (options.stats)
     print_out(format_stats(scene.scene, run, times));
   else if (run.stats.expected_delta_e && !options.quiet)
