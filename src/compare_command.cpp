@@ -95,9 +95,10 @@ void write_report(const Setting& setting, const std::vector<Entry>& entries, Com
   attempt(table, [&] { write_file(table, format_comparison(comparison)); });
 }
 
-void write_json(const CompareArguments& arguments, const Camera& camera, const Comparison& comparison) {
+void write_json(const CompareArguments& arguments, const Scene& scene, const Comparison& comparison) {
   nlohmann::ordered_json json = comparison_json(comparison);
-  json["scene"] = {{"file", arguments.scene.scene.string()}, {"resolution", {camera.width, camera.height}}};
+  json["scene"] = scene_json(arguments.scene, scene);
+  json["scene"]["resolution"] = {scene.camera.width, scene.camera.height};
   write_json_file(arguments.json, json);
 }
 
@@ -139,7 +140,7 @@ int run_compare(const CompareArguments& arguments) {
   OutputAttempts attempt;
   if (!arguments.report.empty()) write_report(setting, entries, comparison, attempt);
   if (!arguments.json.empty())
-    attempt(arguments.json, [&] { write_json(arguments, scene.scene.camera, comparison); });
+    attempt(arguments.json, [&] { write_json(arguments, scene.scene, comparison); });
   print_out(format_comparison(comparison));
   if (arguments.scene.stats)
     for (const Run& run : comparison.runs)

@@ -58,11 +58,11 @@ void write_json(const RenderArguments& arguments, const Scene& scene, const Run&
   json["version"] = PHOTOPIC_VERSION;
   json["interrupted"] = run.stats.stopped;
   json["resolution"] = {scene.camera.width, scene.camera.height};
-  json["scene"] = {{"file", arguments.scene.scene.string()},
-                   {"triangles", scene.geometry.triangles.size()},
-                   {"shapes", scene.geometry.shapes.size()},
-                   {"materials", scene.materials.size()},
-                   {"spectra", scene.emission_names}};
+  json["scene"] = scene_json(arguments.scene, scene);
+  json["scene"].update({{"triangles", scene.geometry.triangles.size()},
+                        {"shapes", scene.geometry.shapes.size()},
+                        {"materials", scene.materials.size()},
+                        {"spectra", scene.emission_names}});
   json["aov"] = arguments.aovs;
   json["spectral_bins"] = arguments.spectral_bins;
   json["rays"] = run.stats.rays;

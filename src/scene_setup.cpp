@@ -119,9 +119,25 @@ RenderResult render_with_progress(const std::string& label, const PreparedScene&
   return result;
 }
 
+std::string camera_handle(const SceneArguments& arguments, const Scene& scene) {
+  if (!arguments.camera.empty() || scene.camera_index < 0) return arguments.camera;
+  return scene.camera_name.empty() ? fmt::format("index:{}", scene.camera_index) : scene.camera_name;
+}
+
+nlohmann::ordered_json scene_json(const SceneArguments& arguments, const Scene& scene) {
+  const auto text = [](const std::string& name) {
+    return name.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(name);
+  };
+  return {{"file", arguments.scene.string()},
+          {"scene", text(scene.scene_name)},
+          {"camera", text(camera_handle(arguments, scene))}};
+}
+
 void write_render(const std::filesystem::path& file, const Image& image, const SceneArguments& arguments,
                   const Scene& scene, const Run& run, const std::vector<ImageLayer>& layers) {
   Metadata metadata = {{"scene", arguments.scene.string()},
+                       {"scene_of_file", scene.scene_name},
+                       {"camera", camera_handle(arguments, scene)},
                        {"sampler", run.sampler},
                        {"spp", fmt::format("{:.6g}", run.mean_spp)},
                        {"wavelengths", std::to_string(run.wavelengths)},
@@ -131,6 +147,7 @@ void write_render(const std::filesystem::path& file, const Image& image, const S
                        {"spectra", fmt::format("{}", fmt::join(scene.emission_names, ", "))},
                        {"version", "photopic " PHOTOPIC_VERSION}};
   if (is_float_image(file)) metadata["render_seconds"] = fmt::format("{:.3f}", run.render_seconds);
+  std::erase_if(metadata, [](const auto& entry) { return entry.second.empty(); });
   write_image(file, image, metadata, arguments.exposure, layers);
 }
 
