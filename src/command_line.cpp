@@ -115,6 +115,7 @@ void bind_info(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_scene_file(command, a->scene);
   bind_threads(command, threads);
   bind_json(command, a->json);
+  bind_quiet(command, a->scene.quiet, "No tables; warnings and errors only");
   command.footer(
       std::string(kSpectrumHelp) +
       "\n\nLuminances are in cd/m², luminous fluxes in lm, lengths in m. Memory is an estimate.\n\n"
@@ -142,11 +143,19 @@ void bind_diff(CLI::App& app, std::function<int()>& action, int& threads) {
       *add_command(app, "diff", "Measure how far images are from a reference", action, run_diff, a);
   command.add_option("REFERENCE", a->reference, "The image to measure against")->required()->type_name("");
   command.add_option("IMAGE", a->images, "Images of the same size")->required()->type_name("");
+  command
+      .add_option("--white", a->white,
+                  "White of ΔE: D65, or a SPECTRUM, the lamp's for an observer adapted to it")
+      ->capture_default_str()
+      ->check(not_empty())
+      ->type_name("SPECTRUM");
   bind_threads(command, threads);
   bind_json(command, a->json);
-  command.footer(
-      "\nΔE is CIEDE2000 on unclipped linear images, white D65 at Y = 1; 8-bit files are decoded first.\n\n"
-      "Example: photopic diff reference.exr uniform.exr optimized.exr --json errors.json");
+  bind_quiet(command, a->quiet, "No table; warnings and errors only");
+  command.footer(std::string("\nΔE is CIEDE2000 on unclipped linear images, its white at Y = 1; 8-bit files "
+                             "are decoded first.\n") +
+                 kSpectrumHelp +
+                 "\n\nExample: photopic diff reference.exr uniform.exr optimized.exr --json errors.json");
 }
 
 }  // namespace

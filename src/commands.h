@@ -74,7 +74,7 @@ struct CompareArguments {
 int run_compare(const CompareArguments& arguments);
 
 struct InfoArguments {
-  SceneArguments scene;  ///< the file, its scene, camera, resolution and emitters alone
+  SceneArguments scene;  ///< the file, its scene, camera, resolution and emitters alone, and quiet
   std::filesystem::path json;
 };
 int run_info(const InfoArguments& arguments);
@@ -108,7 +108,9 @@ int run_spectrum(const SpectrumArguments& arguments);
 struct DiffArguments {
   std::filesystem::path reference;
   std::vector<std::filesystem::path> images;
+  std::string white = "D65";  ///< of ΔE; or a SPECTRUM
   std::filesystem::path json;
+  bool quiet = false;
 };
 int run_diff(const DiffArguments& arguments);
 

@@ -15,8 +15,8 @@ COMMANDS = {
     "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet "
     "--compare-wavelengths --nodes --reflectances",
     "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter --scene --camera",
-    "diff": "--json --threads",
-    "info": "--emitter --resolution --scene --camera --threads --json",
+    "diff": "--json --threads --white --quiet",
+    "info": "--emitter --resolution --scene --camera --threads --json --quiet",
     "spectrum": "--plot --json --quiet",
 }
 
@@ -287,6 +287,13 @@ class Refused(CommandTest):
         self.photopic("render", self.scene, "-o", "small.exr", "--resolution", "8x4", "--sampler", "uniform", "--quiet")
         self.assert_refused(["diff", "out.exr", "small.exr"], "small.exr", "8x4")
         self.assert_refused(["compare", self.scene, "--reference", "small.exr", "--samplers", "uniform"], "small.exr")
+
+    def test_the_white_of_a_diff_gives_light(self):
+        self.photopic(*self.render("--quiet"))
+        (self.folder / "dark.csv").write_text("400 0\n700 0\n")
+        for white in ["dark.csv", "line:900", "illuminant"]:
+            self.assert_refused(["diff", "out.exr", "out.exr", "--white", white], white)
+        self.assert_refused(["diff", "out.exr", "out.exr", "--white", "dark.csv", "--json", "dark.csv"], "overwritten")
 
     def test_failure_leaves_existing_files_alone(self):
         for name in ["out.exr", "run.json", "d.json"]:
