@@ -71,6 +71,13 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       ->type_name("NAME");
   command
       .add_option(
+          "--crop", a->crop,
+          "Window to render and to write alone, of the same pixels as the whole picture's: from the top "
+          "left [pixels], X1 and Y1 just outside. An EXR says where it lies")
+      ->check(not_empty())
+      ->type_name("X0,Y0,X1,Y1");
+  command
+      .add_option(
           "--time", a->scene.seconds,
           "End the render after so many seconds, scene and optimisation not counted, but not before each "
           "pixel has a sample; without --spp as many samples as fit")

@@ -52,6 +52,7 @@ struct RenderArguments {
   SceneArguments scene;
   std::vector<std::filesystem::path> outputs;
   std::string sampler = "optimized";
+  std::string crop;               ///< "X0,Y0,X1,Y1" [pixels]: what alone is rendered; empty: all
   std::string color = "srgb";     ///< what an EXR holds; or "xyz"
   std::string white_balance;      ///< the SPECTRUM that comes out white, or "illuminant"; empty: D65
   std::vector<std::string> aovs;  ///< layers of an EXR: names of kAovs

@@ -103,14 +103,17 @@ RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint
 
 RenderResult render_with_progress(const std::string& label, const PreparedScene& scene,
                                   const WavelengthSampler& sampler, const SceneArguments& arguments, int spp,
-                                  std::uint32_t seed, const FurtherFilms& further) {
+                                  std::uint32_t seed, const FurtherFilms& further,
+                                  const std::optional<PixelWindow>& window) {
   const Camera& camera = scene.scene.camera;
-  const auto samples = std::uint64_t(camera.width) * std::uint64_t(camera.height) * std::uint64_t(spp);
+  const int pixels = window ? window->pixel_count() : camera.width * camera.height;
+  const auto samples = std::uint64_t(pixels) * std::uint64_t(spp);
   const bool known = arguments.target_error == 0;
   RenderResult result = [&] {
     Progress progress(label, known ? samples : 0, "samples", arguments.quiet, arguments.seconds);
     RenderOptions render_as = render_options(arguments, spp, seed, &progress);
     render_as.further = further;
+    render_as.window = window;
     return render(scene, sampler, render_as);
   }();
   if (result.stats.non_finite > 0)

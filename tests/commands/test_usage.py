@@ -11,7 +11,7 @@ from tiny_scene import write_tiny_scene
 COMMANDS = {
     "render": "--output --spp --sampler --wavelengths --emitter --distribution --resolution --scene --camera --max-depth "
     "--sequence --exposure --seed --threads --quiet --json --stats --batch-size --no-cache "
-    "--aov --spectral-bins",
+    "--aov --spectral-bins --crop",
     "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet "
     "--compare-wavelengths --nodes --reflectances",
     "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter --scene --camera",
@@ -61,7 +61,7 @@ class Refused(CommandTest):
             (["render", "--out", "a.exr", self.scene], ["--out: there is no such option (--output?); see"]),
             (["render", "--camra", "eye", self.scene], ["--camra: there is no such option (--camera?); see"]),
             (["optimise", "cie:A"], ["optimise: there is no such command (optimize?); see"]),
-            (["render", "--frob=1", self.scene], ["--frob: there is no such option; see"]),
+            (["render", "--frobnicate=1", self.scene], ["--frobnicate: there is no such option; see"]),
             (["render", self.scene, "a.exr"], ["--output is required"]),
             (["render", "--", self.scene], ["--output is required"]),
             (["compare", self.scene, "--sampler", "uniform"], ["--sampler: there is no such option (--samplers?);"]),
