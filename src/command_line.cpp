@@ -33,7 +33,8 @@ void bind_layers(CLI::App& command, RenderArguments& a) {
           "Layers of every EXR, of the first surface that a pixel's rays meet, glass and mirrors too: albedo "
           "(albedo.R .G .B; base colour, linear sRGB), normal (normal.X .Y .Z; of shading, world space, "
           "towards the viewer, as long as it is the same all over a pixel), depth (depth.Z; along the "
-          "camera's axis [m], of the rays that meet something); means over the pixel's first 64 samples, 0 "
+          "camera's axis [m], of the rays that meet something), alpha (alpha.A; the share of these rays); "
+          "means over the pixel's first 64 samples, 0 "
           "where nothing is met. Of the picture: samples (samples.Y; their number), variance (variance.R .G "
           ".B or .X .Y .Z; of the pixel's mean, samples taken as independent: too large for --sequence "
           "sobol)")

@@ -15,6 +15,7 @@ AOVS = {
     "albedo": ["albedo.R", "albedo.G", "albedo.B"],
     "normal": ["normal.X", "normal.Y", "normal.Z"],
     "depth": ["depth.Z"],
+    "alpha": ["alpha.A"],
     "samples": ["samples.Y"],
     "variance": ["variance.R", "variance.G", "variance.B"],
 }
@@ -45,7 +46,7 @@ class Layers(CommandTest):
         self.assertEqual(self.read_json("a.json")["spectral_bins"], 0)
 
     def test_values_are_those_of_the_scene(self):
-        self.render("a.exr", "--aov", "albedo,normal,depth,samples,variance", "--aov", "depth")
+        self.render("a.exr", "--aov", "albedo,normal,depth,alpha,samples,variance", "--aov", "depth")
         _, channels = self.read("a.exr")
         # The wall fills the middle, 5 m away; the floor lies below it, the sky beside it holds nothing.
         for value, expected in zip(self.at(channels, 16, 16, *AOVS["albedo"]), [0.6, 0.1, 0.05]):
@@ -57,7 +58,9 @@ class Layers(CommandTest):
             self.assertAlmostEqual(value, expected, delta=1e-6)
         for value in self.at(channels, 16, 28, *AOVS["albedo"]):
             self.assertAlmostEqual(value, 0.7, delta=1e-3)
-        for name in AOVS["albedo"] + AOVS["normal"] + AOVS["depth"] + AOVS["variance"]:
+        self.assertEqual(self.at(channels, 16, 16, "alpha.A"), [1])
+        self.assertTrue(any(0 < alpha < 1 for alpha in channels["alpha.A"]))  # where edges pass through pixels
+        for name in AOVS["albedo"] + AOVS["normal"] + AOVS["depth"] + AOVS["alpha"] + AOVS["variance"]:
             self.assertEqual(self.at(channels, 0, 16, name), [0], name)
         self.assertEqual(set(channels["samples.Y"]), {8})
         self.assertGreater(min(self.at(channels, 16, 16, *AOVS["variance"])), 0)
