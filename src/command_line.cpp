@@ -33,7 +33,8 @@ void bind_layers(CLI::App& command, RenderArguments& a) {
           "Layers of every EXR, of the first surface that a pixel's rays meet, glass and mirrors too: albedo "
           "(albedo.R .G .B; base colour, linear sRGB), normal (normal.X .Y .Z; of shading, world space, "
           "towards the viewer, as long as it is the same all over a pixel), depth (depth.Z; along the "
-          "camera's axis [m], of the rays that meet something); means over the pixel's first 64 samples, 0 "
+          "camera's axis [m], of the rays that meet something), alpha (alpha.A; the share of these rays); "
+          "means over the pixel's first 64 samples, 0 "
           "where nothing is met. Of the picture: samples (samples.Y; their number), variance (variance.R .G "
           ".B or .X .Y .Z; of the pixel's mean, samples taken as independent: too large for --sequence "
           "sobol)")
@@ -69,6 +70,13 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       ->capture_default_str()
       ->check(one_of(kSamplers))
       ->type_name("NAME");
+  command
+      .add_option(
+          "--crop", a->crop,
+          "Window to render and to write alone, of the same pixels as the whole picture's: from the top "
+          "left [pixels], X1 and Y1 just outside. An EXR says where it lies")
+      ->check(not_empty())
+      ->type_name("X0,Y0,X1,Y1");
   command
       .add_option(
           "--time", a->scene.seconds,
@@ -115,6 +123,7 @@ void bind_info(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_scene_file(command, a->scene);
   bind_threads(command, threads);
   bind_json(command, a->json);
+  bind_quiet(command, a->scene.quiet, "No tables; warnings and errors only");
   command.footer(
       std::string(kSpectrumHelp) +
       "\n\nLuminances are in cd/m², luminous fluxes in lm, lengths in m. Memory is an estimate.\n\n"
@@ -142,11 +151,19 @@ void bind_diff(CLI::App& app, std::function<int()>& action, int& threads) {
       *add_command(app, "diff", "Measure how far images are from a reference", action, run_diff, a);
   command.add_option("REFERENCE", a->reference, "The image to measure against")->required()->type_name("");
   command.add_option("IMAGE", a->images, "Images of the same size")->required()->type_name("");
+  command
+      .add_option("--white", a->white,
+                  "White of ΔE: D65, or a SPECTRUM, the lamp's for an observer adapted to it")
+      ->capture_default_str()
+      ->check(not_empty())
+      ->type_name("SPECTRUM");
   bind_threads(command, threads);
   bind_json(command, a->json);
-  command.footer(
-      "\nΔE is CIEDE2000 on unclipped linear images, white D65 at Y = 1; 8-bit files are decoded first.\n\n"
-      "Example: photopic diff reference.exr uniform.exr optimized.exr --json errors.json");
+  bind_quiet(command, a->quiet, "No table; warnings and errors only");
+  command.footer(std::string("\nΔE is CIEDE2000 on unclipped linear images, its white at Y = 1; 8-bit files "
+                             "are decoded first.\n") +
+                 kSpectrumHelp +
+                 "\n\nExample: photopic diff reference.exr uniform.exr optimized.exr --json errors.json");
 }
 
 }  // namespace

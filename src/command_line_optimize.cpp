@@ -14,7 +14,7 @@ void bind_optimize(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option(
           "SPECTRUM", a->spectra,
           "The lamp's spectrum, see below; of several, one set of densities serves all. SPECTRUM*POWER "
-          "gives a lamp's luminous power relative to the others', 1 if not given")
+          "gives a lamp's luminous power relative to the others', 1e-100 to 1e100, 1 if not given")
       ->required()
       ->type_name("[SPECTRUM[*POWER]…]");
   auto* output =

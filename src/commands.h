@@ -52,6 +52,7 @@ struct RenderArguments {
   SceneArguments scene;
   std::vector<std::filesystem::path> outputs;
   std::string sampler = "optimized";
+  std::string crop;               ///< "X0,Y0,X1,Y1" [pixels]: what alone is rendered; empty: all
   std::string color = "srgb";     ///< what an EXR holds; or "xyz"
   std::string white_balance;      ///< the SPECTRUM that comes out white, or "illuminant"; empty: D65
   std::vector<std::string> aovs;  ///< layers of an EXR: names of kAovs
@@ -74,7 +75,7 @@ struct CompareArguments {
 int run_compare(const CompareArguments& arguments);
 
 struct InfoArguments {
-  SceneArguments scene;  ///< the file, its scene, camera, resolution and emitters alone
+  SceneArguments scene;  ///< the file, its scene, camera, resolution and emitters alone, and quiet
   std::filesystem::path json;
 };
 int run_info(const InfoArguments& arguments);
@@ -108,7 +109,9 @@ int run_spectrum(const SpectrumArguments& arguments);
 struct DiffArguments {
   std::filesystem::path reference;
   std::vector<std::filesystem::path> images;
+  std::string white = "D65";  ///< of ΔE; or a SPECTRUM
   std::filesystem::path json;
+  bool quiet = false;
 };
 int run_diff(const DiffArguments& arguments);
 

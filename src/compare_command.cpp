@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "commands.h"
 #include "comparison_run.h"
@@ -40,14 +41,21 @@ std::vector<std::filesystem::path> check_outputs(const CompareArguments& argumen
   return outputs;
 }
 
+/// As `render` refuses it: nothing would be rendered with it.
+void check_distribution(const CompareArguments& arguments) {
+  if (arguments.scene.distribution.empty() || arguments.reference.empty()) return;
+  if (std::ranges::find(arguments.samplers, "optimized") != arguments.samplers.end()) return;
+  throw InputError("--distribution", "is for the optimised sampler alone, and the reference is not rendered",
+                   "leave it out or add optimized to --samplers");
+}
+
 /// As EXR and as PNG.
-void write_pair(const Setting& setting, const std::string& name, const Image& image, const Run& run,
-                OutputAttempts& attempt) {
-  for (const char* ending : {".exr", ".png"})
-    attempt([&] {
-      write_render(setting.arguments.report / (name + ending), image, setting.arguments.scene,
-                   setting.scene.scene, run);
-    });
+void write_pair(const Setting& setting, const std::string& name, const std::function<Image()>& develop,
+                const Run& run, OutputAttempts& attempt) {
+  for (const char* ending : {".exr", ".png"}) {
+    const std::filesystem::path file = setting.arguments.report / (name + ending);
+    attempt(file, [&] { write_render(file, develop(), setting.arguments.scene, setting.scene.scene, run); });
+  }
 }
 
 void write_reference(const Setting& setting, Reference& reference, OutputAttempts& attempt) {
@@ -58,14 +66,15 @@ void write_reference(const Setting& setting, Reference& reference, OutputAttempt
   run.wavelengths = setting.wavelengths;
   run.seed = reference_seed(setting);
   run.render_seconds = reference.render_seconds;
-  write_pair(setting, "reference", reference.image, run, attempt);
+  write_pair(
+      setting, "reference", [&] { return reference.image; }, run, attempt);
   reference.file = (setting.arguments.report / "reference.exr").string();
 }
 
 /// @return whether it is there
 bool make_folder(const std::filesystem::path& folder, OutputAttempts& attempt) {
   std::error_code ignored;
-  attempt([&] { std::filesystem::create_directories(folder); });
+  attempt(folder, [&] { std::filesystem::create_directories(folder); });
   return std::filesystem::is_directory(folder, ignored);
 }
 
@@ -76,17 +85,20 @@ void write_report(const Setting& setting, const std::vector<Entry>& entries, Com
   std::vector<WavelengthSampler> samplers;
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     const Run& run = comparison.runs[i];
-    write_pair(setting, run.sampler, setting.develop(entries[i].result->film), run, attempt);
+    write_pair(
+        setting, run.sampler, [&] { return setting.develop(entries[i].result->film); }, run, attempt);
     samplers.push_back(entries[i].chosen.sampler);
   }
-  attempt([&] { write_color_bar(folder / "color-bars.png", samplers, scene_emission(setting.scene)); });
+  const std::filesystem::path bars = folder / "color-bars.png", table = folder / "comparison.txt";
+  attempt(bars, [&] { write_color_bar(bars, samplers, scene_emission(setting.scene)); });
   if (comparison.reference.spp > 0) write_reference(setting, comparison.reference, attempt);
-  attempt([&] { write_file(folder / "comparison.txt", format_comparison(comparison)); });
+  attempt(table, [&] { write_file(table, format_comparison(comparison)); });
 }
 
-void write_json(const CompareArguments& arguments, const Camera& camera, const Comparison& comparison) {
+void write_json(const CompareArguments& arguments, const Scene& scene, const Comparison& comparison) {
   nlohmann::ordered_json json = comparison_json(comparison);
-  json["scene"] = {{"file", arguments.scene.scene.string()}, {"resolution", {camera.width, camera.height}}};
+  json["scene"] = scene_json(arguments.scene, scene);
+  json["scene"]["resolution"] = {scene.camera.width, scene.camera.height};
   write_json_file(arguments.json, json);
 }
 
@@ -110,6 +122,7 @@ int run_compare(const CompareArguments& arguments) {
   interrupt_flag();  // from here on Ctrl-C keeps what is done
   if (!arguments.reference.empty()) check_readable_file(arguments.reference);
   const std::vector<std::filesystem::path> outputs = check_outputs(arguments);
+  check_distribution(arguments);
   const int wavelengths = choose_wavelength_count(arguments.scene.wavelengths, arguments.scene.distribution);
   const PreparedScene scene(load_scene(arguments.scene, outputs));
   const Setting setting{arguments,
@@ -126,7 +139,8 @@ int run_compare(const CompareArguments& arguments) {
   if (comparison.runs.empty()) return interrupted_early(setting, comparison.reference);
   OutputAttempts attempt;
   if (!arguments.report.empty()) write_report(setting, entries, comparison, attempt);
-  if (!arguments.json.empty()) attempt([&] { write_json(arguments, scene.scene.camera, comparison); });
+  if (!arguments.json.empty())
+    attempt(arguments.json, [&] { write_json(arguments, scene.scene, comparison); });
   print_out(format_comparison(comparison));
   if (arguments.scene.stats)
     for (const Run& run : comparison.runs)

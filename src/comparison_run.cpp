@@ -92,7 +92,8 @@ WavelengthSampler reference_sampler(const Setting& setting, const std::vector<En
 }
 
 Run measure(const Setting& setting, const Reference& reference, const Entry& first, const Entry& entry) {
-  Run run = make_run(entry.name, setting.arguments.scene.spp, setting.wavelengths, entry.seed, *entry.result);
+  Run run = make_run(entry.name, setting.arguments.scene.spp, setting.wavelengths, entry.seed,
+                     entry.result->film, entry.result->stats);
   run.render_seconds = median(entry.seconds);
   run.time_ratio = median_time_ratio(first, entry);
   run.optimize_seconds = entry.chosen.optimize_seconds;

@@ -1,19 +1,42 @@
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include "commands.h"
 #include "core/image_metrics.h"
+#include "error.h"
+#include "messages.h"
 #include "output_file.h"
 #include "run_report.h"
-#include "scene_setup.h"
+#include "spectral/observer.h"
+#include "spectral/spectrum_file.h"
 #include "text_table.h"
 
 namespace photopic {
+namespace {
+
+/// As `compare` has it of a scene's lamps: at Y = 1.
+Xyz white_of(const std::string& spectrum) {
+  if (spectrum == "D65") return d65_white();
+  try {
+    const Xyz white =
+        emission_xyz(tabulate_emission(parse_spectrum(spectrum, {}, Beyond::zero)), Observer::cie1931());
+    if (white.y > 0.0) return white * (1.0 / white.y);
+  } catch (const std::invalid_argument& problem) {
+    throw InputError("--white " + spectrum, problem.what(), "give the spectrum of a lamp");
+  }
+  throw InputError("--white " + spectrum, "gives no visible light", "give the spectrum of a lamp");
+}
+
+}  // namespace
 
 int run_diff(const DiffArguments& arguments) {
   if (!arguments.json.empty()) check_writable_file(arguments.json);
   std::vector<std::filesystem::path> inputs = arguments.images;
   inputs.push_back(arguments.reference);
+  inputs.emplace_back(arguments.white);
   check_no_overwriting({arguments.json}, inputs);
+  const Xyz white = white_of(arguments.white);
   const Image reference = read_image(arguments.reference);
   warn_of_8_bit_reference(arguments.reference);
   const Metadata metadata = read_metadata(arguments.reference);
@@ -23,7 +46,7 @@ int run_diff(const DiffArguments& arguments) {
   for (const auto& file : arguments.images) {
     const Image image = read_image(file);
     check_same_size(reference, image, file.string());
-    const ImageDifference m = compare_images(reference, image, d65_white());
+    const ImageDifference m = compare_images(reference, image, white);
     warn_of_shared_noise(metadata, file.string(), read_metadata(file));
     if (m.non_finite > 0)
       print_warning(fmt::format("{}: {} pixels are not finite, here or in the reference, and are left out",
@@ -39,11 +62,12 @@ int run_diff(const DiffArguments& arguments) {
   OutputAttempts attempt;
   if (!arguments.json.empty()) {
     const nlohmann::ordered_json json = {{"version", PHOTOPIC_VERSION},
+                                         {"white", arguments.white},
                                          {"reference", {{"image", arguments.reference.string()}}},
                                          {"runs", runs}};
-    attempt([&] { write_json_file(arguments.json, json); });
+    attempt(arguments.json, [&] { write_json_file(arguments.json, json); });
   }
-  print_out(format_table(rows));
+  if (!arguments.quiet) print_out(format_table(rows));
   return attempt.exit_code(kExitDone);
 }
 

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "error.h"
+#include "messages.h"
 #include "optimize/reflectance_set.h"
 #include "optimize_run.h"
-#include "scene_setup.h"
 #include "spectral/lamp_set.h"
 
 namespace photopic {

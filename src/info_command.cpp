@@ -40,6 +40,11 @@ ReportSection report_warnings(const Scene& scene) {
   return section;
 }
 
+/// On stderr, where no tables are asked for.
+void print_warnings(const Scene& scene) {
+  for (const std::string& warning : scene.warnings) print_warning(warning);
+}
+
 void print_section(ReportSection section) {
   print_out(fmt::format("{}{}\n", section.key == "file" ? "" : "\n", without_controls(section.title)));
   const std::size_t count = section.rows.size();
@@ -64,8 +69,9 @@ int run_info(const InfoArguments& arguments) {
   nlohmann::ordered_json json = {{"version", PHOTOPIC_VERSION}};
   for (const ReportSection& section : sections) {
     json[section.key] = section.json;
-    if (!section.json.empty() && !section.rows.empty()) print_section(section);
+    if (!section.json.empty() && !section.rows.empty() && !arguments.scene.quiet) print_section(section);
   }
+  if (arguments.scene.quiet) print_warnings(scene);
   if (!arguments.json.empty()) write_json_file(arguments.json, json);
   return kExitDone;
 }

@@ -15,6 +15,7 @@
 #include "command_line.h"
 #include "command_line_errors.h"
 #include "commands.h"
+#include "core/image_io.h"
 #include "error.h"
 #include "interrupt.h"
 #include "messages.h"
@@ -38,6 +39,7 @@ int run(int argc, char** argv) {
   const std::size_t all = std::max(1u, std::thread::hardware_concurrency());
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   threads > 0 ? static_cast<std::size_t>(threads) : all);
+  if (threads > 0) limit_image_threads(threads);
   return action();
 }
 

@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -38,6 +37,9 @@ TabulatedSpectrum read_lamp(const std::string& text) {
   throw InputError(text, "gives no visible light between 360 and 830 nm", "give the spectrum of a lamp");
 }
 
+/// Of powers; their ratios stay finite.
+constexpr double kLeastPower = 1e-100, kMostPower = 1e100;
+
 /// "SPECTRUM*POWER" taken apart; a file may have a star in its name.
 std::pair<std::string, double> parse_lamp(const std::string& text) {
   const std::size_t star = text.rfind('*');
@@ -46,9 +48,10 @@ std::pair<std::string, double> parse_lamp(const std::string& text) {
   double power = 0.0;
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data() + star + 1, end, power);
-  if (error != std::errc() || rest != end || !(power > 0.0) || !std::isfinite(power))
+  if (error != std::errc() || rest != end || !(power >= kLeastPower && power <= kMostPower))
     throw InputError(text, fmt::format("\"{}\" is not a lamp's power", text.substr(star + 1)),
-                     "write a number above 0 behind the star, as in cie:FL11*2.5");
+                     fmt::format("write a number from {} to {} behind the star, as in cie:FL11*2.5",
+                                 kLeastPower, kMostPower));
   return {text.substr(0, star), power};
 }
 
@@ -155,7 +158,7 @@ int run_comparison(const OptimizeArguments& arguments, const std::vector<Tabulat
       {"effort", arguments.effort},           {"white", arguments.white}, {"seed", arguments.seed},
       {"wavelengths", wavelengths_json(rows)}};
   OutputAttempts attempt;
-  if (!arguments.json.empty()) attempt([&] { write_json_file(arguments.json, json); });
+  if (!arguments.json.empty()) attempt(arguments.json, [&] { write_json_file(arguments.json, json); });
   print_out(fmt::format("{}{}\n", wavelength_table(rows), without_controls(names)));
   return attempt.exit_code(kExitDone);
 }
@@ -172,14 +175,16 @@ int run_optimize(const OptimizeArguments& arguments) {
   OptimizeResult made = optimize_with_progress(lamps, lamp_names(arguments), options, arguments.quiet);
   made.distribution.targets.measured_file = arguments.reflectances.string();
   OutputAttempts attempt;
-  attempt([&] { write_distribution(arguments.output, made.distribution); });
+  attempt(arguments.output, [&] { write_distribution(arguments.output, made.distribution); });
   const TabulatedSpectrum light = mixed_light(lamps);
-  if (!arguments.color_bar.empty()) attempt([&] { draw_color_bar(arguments, made.distribution, light); });
+  if (!arguments.color_bar.empty())
+    attempt(arguments.color_bar, [&] { draw_color_bar(arguments, made.distribution, light); });
   if (!arguments.plot.empty())
-    attempt([&] { write_file(arguments.plot, density_plot(made.initial, made.distribution, light)); });
+    attempt(arguments.plot,
+            [&] { write_file(arguments.plot, density_plot(made.initial, made.distribution, light)); });
   if (arguments.json.empty() && arguments.quiet) return attempt.exit_code(kExitDone);
   const std::vector<SamplerRow> samplers = measure_samplers(made.distribution, light, options.white);
-  if (!arguments.json.empty()) attempt([&] { write_json(arguments, made, samplers); });
+  if (!arguments.json.empty()) attempt(arguments.json, [&] { write_json(arguments, made, samplers); });
   if (!arguments.quiet) print_result(made.distribution, samplers, made.seconds);
   return attempt.exit_code(kExitDone);
 }

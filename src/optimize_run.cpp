@@ -4,8 +4,8 @@
 
 #include "core/image_io.h"
 #include "core/progress.h"
+#include "messages.h"
 #include "optimize/color_bar.h"
-#include "scene_setup.h"
 
 namespace photopic {
 

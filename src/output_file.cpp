@@ -1,5 +1,7 @@
 #include "output_file.h"
 
+#include <algorithm>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
@@ -61,20 +63,30 @@ void write_json_file(const fs::path& file, const nlohmann::ordered_json& json) {
   write_file(file, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
-void OutputAttempts::operator()(const std::function<void()>& write) {
+void OutputAttempts::operator()(const fs::path& output, const std::function<void()>& write) {
+  const std::string what = output.string() + ": cannot be written: ";
   try {
-    return write();
+    write();
   } catch (const InputError& error) {
-    print_error(error.what());
+    fail(error.what(), kExitBadInput);
   } catch (const fs::filesystem_error& error) {
-    print_error(error.path1().string() + ": cannot be written: " + error.code().message() +
-                "; choose another folder");
+    fail(
+        error.path1().string() + ": cannot be written: " + error.code().message() + "; choose another folder",
+        kExitBadInput);
+  } catch (const std::bad_alloc&) {
+    fail(what + "out of memory; choose a smaller resolution or fewer layers", kExitBadInput);
+  } catch (const std::exception& error) {
+    fail(what + "internal error: " + error.what() + "; please report it", kExitInternalError);
   }
-  failed_ = true;
+}
+
+void OutputAttempts::fail(const std::string& why, int code) {
+  print_error(why);
+  code_ = std::max(code_, code);
 }
 
 int OutputAttempts::exit_code(int otherwise) const {
-  return failed_ ? kExitBadInput : otherwise;
+  return code_ != 0 ? code_ : otherwise;
 }
 
 }  // namespace photopic

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 #include <vector>
 
 #include "atomic_file.h"
@@ -34,11 +35,14 @@ void write_json_file(const std::filesystem::path& file, const nlohmann::ordered_
 /// written all the same.
 class OutputAttempts {
  public:
-  void operator()(const std::function<void()>& write);
-  int exit_code(int otherwise) const;  ///< that of a failure if there was one
+  /// @param output what is written, for messages
+  void operator()(const std::filesystem::path& output, const std::function<void()>& write);
+  int exit_code(int otherwise) const;  ///< that of the worst failure if there was one
 
  private:
-  bool failed_ = false;
+  void fail(const std::string& why, int code);
+
+  int code_ = 0;
 };
 
 }  // namespace photopic

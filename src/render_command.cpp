@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "commands.h"
+#include "crop.h"
 #include "error.h"
 #include "interrupt.h"
 #include "output_file.h"
@@ -52,17 +53,23 @@ void warn_of_idle_options(const RenderArguments& arguments) {
     print_warning("--white-balance has no effect: --color xyz is without it");
 }
 
+nlohmann::ordered_json crop_json(const std::optional<PixelWindow>& window) {
+  if (!window) return {};
+  return {window->x0, window->y0, window->x1, window->y1};
+}
+
 void write_json(const RenderArguments& arguments, const Scene& scene, const Run& run,
                 const PhaseTimes& times) {
   nlohmann::ordered_json json = run_json(run);
   json["version"] = PHOTOPIC_VERSION;
   json["interrupted"] = run.stats.stopped;
   json["resolution"] = {scene.camera.width, scene.camera.height};
-  json["scene"] = {{"file", arguments.scene.scene.string()},
-                   {"triangles", scene.geometry.triangles.size()},
-                   {"shapes", scene.geometry.shapes.size()},
-                   {"materials", scene.materials.size()},
-                   {"spectra", scene.emission_names}};
+  json["crop"] = crop_json(parse_crop(arguments.crop));
+  json["scene"] = scene_json(arguments.scene, scene);
+  json["scene"].update({{"triangles", scene.geometry.triangles.size()},
+                        {"shapes", scene.geometry.shapes.size()},
+                        {"materials", scene.materials.size()},
+                        {"spectra", scene.emission_names}});
   json["aov"] = arguments.aovs;
   json["spectral_bins"] = arguments.spectral_bins;
   json["rays"] = run.stats.rays;
@@ -109,10 +116,14 @@ std::string format_stats(const Scene& scene, const Run& run, const PhaseTimes& t
 void write_images(const RenderArguments& arguments, const Film& film, const ChromaticAdaptation& adaptation,
                   const Scene& scene, const Run& run, const std::vector<ImageLayer>& layers,
                   OutputAttempts& attempt) {
-  const Image srgb = film.to_linear_srgb(adaptation);
+  const std::optional<PixelWindow> window = parse_crop(arguments.crop);
   for (const auto& output : arguments.outputs) {
     const bool xyz = arguments.color == "xyz" && is_exr(output);
-    attempt([&] { write_render(output, xyz ? film.to_xyz() : srgb, arguments.scene, scene, run, layers); });
+    attempt(output, [&] {
+      Image image = xyz ? film.to_xyz() : film.to_linear_srgb(adaptation);
+      if (window) place_in(*window, scene.camera, image);
+      write_render(output, image, arguments.scene, scene, run, layers);
+    });
   }
 }
 
@@ -130,12 +141,14 @@ int run_render(const RenderArguments& arguments) {
   if (!options.distribution.empty() && arguments.sampler != "optimized")
     throw InputError("--distribution", "is for the optimised sampler alone",
                      "leave it out or use --sampler optimized");
+  const std::optional<PixelWindow> window = parse_crop(arguments.crop);
   warn_of_idle_options(arguments);
   const int wavelengths = choose_wavelength_count(options.wavelengths, options.distribution);
 
   PhaseTimes times;
   const Stopwatch load_watch;
   Scene loaded = load_scene(options, outputs);
+  if (window) check_crop(*window, loaded.camera);
   times.load = load_watch.seconds();
   const Stopwatch prepare_watch;
   const PreparedScene scene(std::move(loaded));
@@ -152,22 +165,27 @@ int run_render(const RenderArguments& arguments) {
   times.optimize = optimize_watch.seconds();
   if (interrupt_flag()) return interrupted_early();
   const RenderResult result = render_with_progress("rendering", scene, chosen.sampler, options, options.spp,
-                                                   options.seed, films.to_feed());
+                                                   options.seed, films.to_feed(), window);
   if (result.stats.paths == 0) return interrupted_early();
 
-  Run run = make_run(arguments.sampler, options.spp, wavelengths, options.seed, result);
+  const std::optional<Film> part = window ? std::optional(result.film.cropped(*window)) : std::nullopt;
+  const Film& film = part ? *part : result.film;
+  Run run = make_run(arguments.sampler, options.spp, wavelengths, options.seed, film, result.stats);
   if (options.seconds > 0 || options.target_error > 0) run.spp = static_cast<int>(std::lround(run.mean_spp));
   run.optimize_seconds = chosen.optimize_seconds;
   run.image = arguments.outputs.front().string();
+  OutputAttempts attempt;
   const Stopwatch layer_watch;
-  const std::vector<ImageLayer> layers = make_layers(arguments, scene, result.film, films, adaptation);
+  std::vector<ImageLayer> layers;
+  attempt("--aov", [&] { layers = make_layers(arguments, scene, result.film, films, adaptation); });
+  if (window) crop_layers(*window, scene.scene.camera, layers);
   times.layers = layer_watch.seconds();
   const Stopwatch write_watch;
-  OutputAttempts attempt;
-  write_images(arguments, result.film, adaptation, scene.scene, run, layers, attempt);
+  write_images(arguments, film, adaptation, scene.scene, run, layers, attempt);
   times.write = write_watch.seconds();
 
-  if (!arguments.json.empty()) attempt([&] { write_json(arguments, scene.scene, run, times); });
+  if (!arguments.json.empty())
+    attempt(arguments.json, [&] { write_json(arguments, scene.scene, run, times); });
   if (options.stats)
     print_out(format_stats(scene.scene, run, times));
   else if (run.stats.expected_delta_e && !options.quiet)

@@ -35,11 +35,20 @@ ImageLayer image_layer(const std::string& name, const char* letters,
           }};
 }
 
+/// @param hits keeps the values alive
+ImageLayer number_layer(const std::string& name, const char* letter,
+                        const std::shared_ptr<const FirstHits>& hits,
+                        std::vector<float> FirstHits::*numbers) {
+  return {channels(name, letter), {}, [hits, numbers](std::size_t pixel, std::span<float> values) {
+            values[0] = ((*hits).*numbers)[pixel];
+          }};
+}
+
 void add_first_hits(const RenderArguments& arguments, const PreparedScene& scene, const Film& film,
                     std::vector<ImageLayer>& layers) {
   const bool albedo = asks_for(arguments, "albedo"), normal = asks_for(arguments, "normal"),
-             depth = asks_for(arguments, "depth");
-  if (!albedo && !normal && !depth) return;
+             depth = asks_for(arguments, "depth"), alpha = asks_for(arguments, "alpha");
+  if (!albedo && !normal && !depth && !alpha) return;
   const SceneArguments& options = arguments.scene;
   const auto hits = std::make_shared<const FirstHits>(
       first_hits(scene, film, sequence_of(options), options.seed, interrupt_flag()));
@@ -48,10 +57,8 @@ void add_first_hits(const RenderArguments& arguments, const PreparedScene& scene
     layers.back().metadata["albedo"] = "linear sRGB";  // whatever the picture's own
   }
   if (normal) layers.push_back(image_layer("normal", "XYZ", hits, &FirstHits::normal));
-  if (depth)
-    layers.push_back({channels("depth", "Z"), {}, [hits](std::size_t pixel, std::span<float> values) {
-                        values[0] = hits->depth[pixel];
-                      }});
+  if (depth) layers.push_back(number_layer("depth", "Z", hits, &FirstHits::depth));
+  if (alpha) layers.push_back(number_layer("alpha", "A", hits, &FirstHits::alpha));
 }
 
 /// What X, Y and Z weigh in each channel of a picture.

@@ -11,7 +11,7 @@
 namespace photopic {
 
 /// What RenderArguments::aovs may name.
-inline const std::vector<std::string> kAovs{"albedo", "normal", "depth", "samples", "variance"};
+inline const std::vector<std::string> kAovs{"albedo", "normal", "depth", "alpha", "samples", "variance"};
 inline constexpr int kMostSpectralBins = 470;  ///< 1 nm each
 
 /// The films that a render must feed for its layers; none where none are asked for.

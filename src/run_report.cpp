@@ -21,21 +21,20 @@ void for_each_cause(const NonFiniteCounts& counts, F f) {
 
 }  // namespace
 
-Run make_run(const std::string& sampler, int spp, int wavelengths, std::uint32_t seed,
-             const RenderResult& result) {
+Run make_run(const std::string& sampler, int spp, int wavelengths, std::uint32_t seed, const Film& film,
+             const RenderStats& stats) {
   Run run;
   run.sampler = sampler;
   run.spp = spp;
-  run.mean_spp = static_cast<double>(result.stats.paths) / static_cast<double>(result.film.width()) /
-                 static_cast<double>(result.film.height());
+  run.mean_spp = static_cast<double>(stats.paths) / static_cast<double>(film.width()) /
+                 static_cast<double>(film.height());
   run.wavelengths = wavelengths;
   run.seed = seed;
-  run.render_seconds = result.stats.seconds;
-  run.stats = result.stats;
-  run.mean = result.film.image_mean();
-  const auto pixels =
-      static_cast<std::uint64_t>(result.film.width()) * static_cast<std::uint64_t>(result.film.height());
-  if (result.stats.paths >= 2 * pixels) run.variance_of_mean = result.film.image_variance_of_mean();
+  run.render_seconds = stats.seconds;
+  run.stats = stats;
+  run.mean = film.image_mean();
+  const auto pixels = static_cast<std::uint64_t>(film.width()) * static_cast<std::uint64_t>(film.height());
+  if (stats.paths >= 2 * pixels) run.variance_of_mean = film.image_variance_of_mean();
   return run;
 }
 

@@ -36,9 +36,9 @@ struct Run {
   }
 };
 
-/// A run with what its result says; `render_seconds` is the stats'.
-Run make_run(const std::string& sampler, int spp, int wavelengths, std::uint32_t seed,
-             const RenderResult& result);
+/// A run with what film and stats say; `render_seconds` is the stats'. @param film of what was rendered alone
+Run make_run(const std::string& sampler, int spp, int wavelengths, std::uint32_t seed, const Film& film,
+             const RenderStats& stats);
 
 /// A run as JSON files tell of it. What is not known (of an existing image, without a reference) is null.
 nlohmann::ordered_json run_json(const Run& run);

@@ -103,14 +103,17 @@ RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint
 
 RenderResult render_with_progress(const std::string& label, const PreparedScene& scene,
                                   const WavelengthSampler& sampler, const SceneArguments& arguments, int spp,
-                                  std::uint32_t seed, const FurtherFilms& further) {
+                                  std::uint32_t seed, const FurtherFilms& further,
+                                  const std::optional<PixelWindow>& window) {
   const Camera& camera = scene.scene.camera;
-  const auto samples = std::uint64_t(camera.width) * std::uint64_t(camera.height) * std::uint64_t(spp);
+  const int pixels = window ? window->pixel_count() : camera.width * camera.height;
+  const auto samples = std::uint64_t(pixels) * std::uint64_t(spp);
   const bool known = arguments.target_error == 0;
   RenderResult result = [&] {
     Progress progress(label, known ? samples : 0, "samples", arguments.quiet, arguments.seconds);
     RenderOptions render_as = render_options(arguments, spp, seed, &progress);
     render_as.further = further;
+    render_as.window = window;
     return render(scene, sampler, render_as);
   }();
   if (result.stats.non_finite > 0)
@@ -119,9 +122,25 @@ RenderResult render_with_progress(const std::string& label, const PreparedScene&
   return result;
 }
 
+std::string camera_handle(const SceneArguments& arguments, const Scene& scene) {
+  if (!arguments.camera.empty() || scene.camera_index < 0) return arguments.camera;
+  return scene.camera_name.empty() ? fmt::format("index:{}", scene.camera_index) : scene.camera_name;
+}
+
+nlohmann::ordered_json scene_json(const SceneArguments& arguments, const Scene& scene) {
+  const auto text = [](const std::string& name) {
+    return name.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(name);
+  };
+  return {{"file", arguments.scene.string()},
+          {"scene", text(scene.scene_name)},
+          {"camera", text(camera_handle(arguments, scene))}};
+}
+
 void write_render(const std::filesystem::path& file, const Image& image, const SceneArguments& arguments,
                   const Scene& scene, const Run& run, const std::vector<ImageLayer>& layers) {
   Metadata metadata = {{"scene", arguments.scene.string()},
+                       {"scene_of_file", scene.scene_name},
+                       {"camera", camera_handle(arguments, scene)},
                        {"sampler", run.sampler},
                        {"spp", fmt::format("{:.6g}", run.mean_spp)},
                        {"wavelengths", std::to_string(run.wavelengths)},
@@ -131,6 +150,7 @@ void write_render(const std::filesystem::path& file, const Image& image, const S
                        {"spectra", fmt::format("{}", fmt::join(scene.emission_names, ", "))},
                        {"version", "photopic " PHOTOPIC_VERSION}};
   if (is_float_image(file)) metadata["render_seconds"] = fmt::format("{:.3f}", run.render_seconds);
+  std::erase_if(metadata, [](const auto& entry) { return entry.second.empty(); });
   write_image(file, image, metadata, arguments.exposure, layers);
 }
 

@@ -31,10 +31,20 @@ Sequence sequence_of(const SceneArguments& arguments);
 RenderOptions render_options(const SceneArguments& arguments, int spp, std::uint32_t seed,
                              Progress* progress);
 
-/// Renders with a progress line and warns of samples that were not finite. @param further films to feed
+/// Renders with a progress line and warns of samples that were not finite.
+/// @param further films to feed @param window what alone is rendered
 RenderResult render_with_progress(const std::string& label, const PreparedScene& scene,
                                   const WavelengthSampler& sampler, const SceneArguments& arguments, int spp,
-                                  std::uint32_t seed, const FurtherFilms& further = {});
+                                  std::uint32_t seed, const FurtherFilms& further = {},
+                                  const std::optional<PixelWindow>& window = {});
+
+/// The camera as --camera would choose it: as it was given, else by its name, else as "index:N". Empty where
+/// the scene has none and is framed.
+std::string camera_handle(const SceneArguments& arguments, const Scene& scene);
+
+/// What JSON files tell of what was rendered: the file, which scene of it and which camera; null: it has
+/// none.
+nlohmann::ordered_json scene_json(const SceneArguments& arguments, const Scene& scene);
 
 /// Writes a render; EXR and PNG say how it was made. The render's time is in the EXR alone: other files are
 /// the same bits for the same seed.

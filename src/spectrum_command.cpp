@@ -122,10 +122,12 @@ int run_spectrum(const SpectrumArguments& arguments) {
       const std::string colors =
           fmt::format("x {:.4f}, y {:.4f}; correlated colour temperature {}", lamp.chromaticity.x,
                       lamp.chromaticity.y, temperature_text(lamp));
-      attempt([&] { write_file(arguments.plot, spectrum_plot(emission, lamp, name, colors)); });
+      attempt(arguments.plot,
+              [&] { write_file(arguments.plot, spectrum_plot(emission, lamp, name, colors)); });
     }
     if (!arguments.json.empty())
-      attempt([&] { write_json_file(arguments.json, lamp_json(name, given, lamp, digest(emission))); });
+      attempt(arguments.json,
+              [&] { write_json_file(arguments.json, lamp_json(name, given, lamp, digest(emission))); });
     if (!arguments.quiet) print_out(format_lamp(name, given, lamp));
   } catch (const std::invalid_argument& problem) {
     throw InputError(name, problem.what(), "give the spectrum of a lamp");

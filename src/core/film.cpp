@@ -18,6 +18,13 @@ Film& Film::operator+=(const Film& other) {
   return *this;
 }
 
+Film Film::cropped(const PixelWindow& window) const {
+  Film part(window.width(), window.height());
+  for (std::size_t i = 0; i < part.pixels_.size(); ++i)
+    part.pixels_[i] = pixels_[window.pixel_of_image(i, width_)];
+  return part;
+}
+
 Xyz Film::mean(std::size_t pixel) const {
   const Pixel& p = pixels_[pixel];
   return p.count == 0 ? Xyz{} : p.sum * (1.0 / static_cast<double>(p.count));

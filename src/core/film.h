@@ -9,6 +9,21 @@
 
 namespace photopic {
 
+/// A rectangle of an image's pixels; the upper bounds lie outside.
+struct PixelWindow {
+  int x0, y0, x1, y1;
+
+  int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
+  int pixel_count() const { return width() * height(); }
+  /// The window's i-th pixel in the whole image. @param image_width its
+  std::size_t pixel_of_image(std::size_t i, int image_width) const {
+    const auto w = static_cast<std::size_t>(width());
+    return (static_cast<std::size_t>(y0) + i / w) * static_cast<std::size_t>(image_width) +
+           static_cast<std::size_t>(x0) + i % w;
+  }
+};
+
 /// Sums of XYZ samples in double, a pixel each with its own count; box filter. A pixel's samples are to be
 /// added in order of their index, by one thread at a time: then the bits do not depend on threads or batches.
 class Film {
@@ -24,6 +39,9 @@ class Film {
 
   /// Adds another film's samples pixel by pixel. @param other of the same size
   Film& operator+=(const Film& other);
+
+  /// A part of it. @param window inside it
+  Film cropped(const PixelWindow& window) const;
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -54,6 +54,7 @@ Scene read_scene(const GltfDocument& document, const GltfOptions& options) {
   Scene scene;
   scene.files = document.named_files;
   scene.scene_index = choose_scene(document, options.scene, scene.warnings);
+  scene.scene_name = scene_handle(document.model, scene.scene_index);
   const std::vector<NodeInstance> instances = walk_nodes(document, scene.scene_index, scene.warnings);
   warn_of_ignored(document, scene.warnings);
   warn_of_stray_extras(document, scene.warnings);

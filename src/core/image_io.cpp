@@ -67,6 +67,14 @@ using Chromaticities = std::array<float, 8>;
 constexpr Chromaticities kRec709 = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
 constexpr Chromaticities kXyz = {1, 0, 0, 1, 0, 0, 1.0f / 3.0f, 1.0f / 3.0f};
 
+/// OpenEXR's data window in its display window.
+void set_windows(const Image& image, OIIO::ImageSpec& spec) {
+  if (image.full_width == 0) return;
+  spec.x = image.left, spec.y = image.top;
+  spec.full_x = spec.full_y = 0;
+  spec.full_width = image.full_width, spec.full_height = image.full_height;
+}
+
 Image to_linear_srgb(const Image& xyz) {
   Image image(xyz.width, xyz.height);
   for (std::size_t i = 0; i < image.pixels.size(); i += 3) {
@@ -120,7 +128,8 @@ bool write_rows(OIIO::ImageOutput& output, const Image& image, const std::vector
         values += layer.channels.size();
       }
     }
-    if (!output.write_scanlines(y, end, 0, OIIO::TypeDesc::FLOAT, rows.data())) return false;
+    const int top = output.spec().y;
+    if (!output.write_scanlines(top + y, top + end, 0, OIIO::TypeDesc::FLOAT, rows.data())) return false;
   }
   return true;
 }
@@ -201,6 +210,7 @@ void encode_file(const std::filesystem::path& file, const Image& image, const Me
   if (!output->set_ioproxy(&stream)) fail("it cannot be made in memory");
   const bool linear = encoding_of(file) == Encoding::linear;
   OIIO::ImageSpec spec = make_spec(image, linear, metadata);
+  if (is_exr(file)) set_windows(image, spec);
   add_layers(spec, layers);
   if (!output->open(file.string(), spec)) fail(output->geterror());
   const bool written = !layers.empty() ? write_rows(*output, image, layers)
@@ -243,6 +253,11 @@ bool is_float_image(const std::filesystem::path& file) {
 
 bool is_exr(const std::filesystem::path& file) {
   return lower_case_ending(file) == ".exr";
+}
+
+void limit_image_threads(int threads) {
+  OIIO::attribute("threads", threads);
+  OIIO::attribute("exr_threads", threads > 1 ? threads : -1);  // beside the caller, who waits; -1: none
 }
 
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata,

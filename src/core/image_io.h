@@ -14,6 +14,8 @@ enum class ColorSpace { linear_srgb, xyz };
 /// Three interleaved channels, row by row from the top, unclipped.
 struct Image {
   int width = 0, height = 0;
+  int left = 0, top = 0;                ///< where it lies in a larger one that it is a window of
+  int full_width = 0, full_height = 0;  ///< that one's size; 0: it is none
   ColorSpace space = ColorSpace::linear_srgb;
   std::vector<float> pixels;  ///< 3·width·height
 
@@ -46,10 +48,14 @@ struct ImageLayer {
   std::function<void(std::size_t pixel, std::span<float> values)> values;
 };
 
+/// How many threads images may be read and written with, OpenEXR's among them; else as many as the machine
+/// runs at once. @param threads at least 1
+void limit_image_threads(int threads);
+
 /// Writes an image by the file's ending, XYZ as such only to .exr: .exr and .hdr as floats, .png and .jpg
 /// sRGB-encoded after an exposure of `exposure_ev` stops. EXR and PNG hold the metadata (PNG as text chunks),
-/// HDR and JPEG have no place for it. EXR alone holds the layers. Written to a temporary name first: a
-/// failure leaves no half file.
+/// HDR and JPEG have no place for it. EXR alone holds the layers, and says what the image is a window of.
+/// Written to a temporary name first: a failure leaves no half file.
 /// @throws InputError when the ending is not known or the file cannot be written
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata = {},
                  double exposure_ev = 0.0, const std::vector<ImageLayer>& layers = {});

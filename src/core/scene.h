@@ -137,7 +137,8 @@ struct Scene {
   std::vector<PunctualLight> punctual_lights;
   std::shared_ptr<const Environment> environment;  ///< none: paths that leave the scene end in the dark
   Camera camera;
-  int scene_index = -1;     ///< in the file's list; −1: it has none
+  int scene_index = -1;    ///< in the file's list; −1: it has none
+  std::string scene_name;  ///< as options would choose it: its name, else "index:N"; empty: the file has none
   std::string camera_name;  ///< of the camera, else of its node
   int camera_index = -1;    ///< in the file's list; −1: in none, it frames the scene
   Vec3d origin;             ///< world position of the coordinates' zero: floats stay accurate far from 0

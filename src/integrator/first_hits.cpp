@@ -59,6 +59,7 @@ class FirstHitTracer {
     hits.albedo.set(pixel, albedo.x, albedo.y, albedo.z);
     hits.normal.set(pixel, normal.x, normal.y, normal.z);
     hits.depth[pixel] = static_cast<float>(depth_sum() / static_cast<double>(slots_.size()));
+    hits.alpha[pixel] = static_cast<float>(slots_.size()) * share;
   }
 
  private:
@@ -136,7 +137,8 @@ FirstHits first_hits(const PreparedScene& scene, const Film& film, Sequence sequ
                      const std::atomic<bool>& hurry) {
   const int width = film.width(), height = film.height();
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  FirstHits hits{Image(width, height), Image(width, height), std::vector<float>(pixels)};
+  FirstHits hits{Image(width, height), Image(width, height), std::vector<float>(pixels),
+                 std::vector<float>(pixels)};
   tbb::enumerable_thread_specific<FirstHitTracer> tracers([&scene] { return FirstHitTracer(scene); });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pixels), [&](const auto& range) {
     FirstHitTracer& tracer = tracers.local();

@@ -24,6 +24,8 @@ struct FirstHits {
   Image normal;
   /// Along the camera's axis [m], of the rays that meet something.
   std::vector<float> depth;
+  /// The share of rays that meet something.
+  std::vector<float> alpha;
 };
 
 /// Traces camera rays of a render's samples again, the first kMostFirstHits of each pixel at most.

@@ -23,6 +23,7 @@ struct RenderOptions {
   Sequence sequence = Sequence::sobol;
   const Observer* observer = &Observer::cie1931();  ///< whose XYZ the film gathers
   std::uint32_t seed = 0;
+  std::optional<PixelWindow> window{};  ///< what alone is rendered, inside the film; none: all of it
   int max_depth = 64;  ///< surfaces met by a path at most; light reaching the camera directly has depth 1
   /// Paths advanced together. Changes no bit of the result, but for which of two surfaces in exactly one
   /// place is met.

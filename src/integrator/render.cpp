@@ -2,6 +2,7 @@
 #include <tbb/parallel_for.h>
 #include <xmmintrin.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <stdexcept>
@@ -46,16 +47,16 @@ class TileRenderer {
   TileRenderer(const PreparedScene& scene, const auto& sampler, const RenderOptions& asked)
       : camera_(scene.scene.camera),
         options_(asked),
+        tiles_(film_tiles(asked.window.value_or(PixelWindow{0, 0, camera_.width, camera_.height}))),
         tracers_([this, &scene, &sampler] { return Tracer(scene, sampler, options_); }),
         film_(camera_.width, camera_.height) {
-    const int task = film_tiles(camera_).front().pixel_count() * kSamplesPerPass;
+    const int task = std::ranges::max(tiles_, {}, &Tile::pixel_count).pixel_count() * kSamplesPerPass;
     options_.batch_size = std::min(asked.batch_size, task);
     if (options_.target_error > 0.0) second_film_.emplace(camera_.width, camera_.height);
   }
 
   RenderResult render() {
-    const std::vector<Tile> all = film_tiles(camera_);
-    std::vector<Tile> active = all;
+    std::vector<Tile> active = tiles_;
     int next_look = kFirstLook;
     for (int first = 0; first < options_.spp && !active.empty() && !(first > 0 && must_end());) {
       const int last = std::min(first + pass_size(first), options_.spp);
@@ -71,7 +72,7 @@ class TileRenderer {
       }
       first = last;
     }
-    return result(all);
+    return result();
   }
 
  private:
@@ -108,12 +109,12 @@ class TileRenderer {
     if (options_.progress != nullptr) options_.progress->advance(paths.size());
   }
 
-  RenderResult result(const std::vector<Tile>& tiles) {
+  RenderResult result() {
     RenderStats stats;
     for (const Tracer& tracer : tracers_) stats += tracer.stats();
     stats.stopped = interrupted();
     if (second_film_) {
-      stats.expected_delta_e = expected_delta_e(film_, *second_film_, tiles);
+      stats.expected_delta_e = expected_delta_e(film_, *second_film_, tiles_);
       film_ += *second_film_;
     }
     stats.seconds = seconds_since(start_);
@@ -123,6 +124,7 @@ class TileRenderer {
   const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   const Camera& camera_;
   RenderOptions options_;
+  const std::vector<Tile> tiles_;
   tbb::enumerable_thread_specific<Tracer> tracers_;
   Film film_;
   std::optional<Film> second_film_;  ///< of every other run of samples, where the error is asked for

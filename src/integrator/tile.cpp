@@ -13,11 +13,13 @@ constexpr int kBlockSize = 4;
 
 }  // namespace
 
-std::vector<Tile> film_tiles(const Camera& camera) {
+std::vector<Tile> film_tiles(const PixelWindow& window) {
+  const auto first = [](int side) { return side / kTileSize * kTileSize; };
   std::vector<Tile> tiles;
-  for (int y = 0; y < camera.height; y += kTileSize)
-    for (int x = 0; x < camera.width; x += kTileSize)
-      tiles.push_back({x, y, std::min(x + kTileSize, camera.width), std::min(y + kTileSize, camera.height)});
+  for (int y = first(window.y0); y < window.y1; y += kTileSize)
+    for (int x = first(window.x0); x < window.x1; x += kTileSize)
+      tiles.push_back({std::max(x, window.x0), std::max(y, window.y0), std::min(x + kTileSize, window.x1),
+                       std::min(y + kTileSize, window.y1)});
   return tiles;
 }
 

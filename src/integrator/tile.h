@@ -3,20 +3,16 @@
 #include <optional>
 #include <vector>
 
-#include "core/camera.h"
 #include "core/film.h"
 #include "integrator/path_start.h"
 
 namespace photopic {
 
-/// A rectangle of pixels that one thread renders at a time.
-struct Tile {
-  int x0, y0, x1, y1;  ///< [pixels]; the upper bounds lie outside
-  int pixel_count() const { return (x1 - x0) * (y1 - y0); }
-};
+/// That one thread renders at a time.
+using Tile = PixelWindow;
 
-/// Cover the film, row by row.
-std::vector<Tile> film_tiles(const Camera& camera);
+/// Cover the window, row by row: the whole film's tiles, so far as they lie in it.
+std::vector<Tile> film_tiles(const PixelWindow& window);
 
 /// A tile's paths with samples first … last − 1: a pixel's side by side, pixels in small blocks, so that
 /// neighbours in a batch look at nearly the same thing.

@@ -45,14 +45,16 @@ std::string other_unit(double shortest, double longest) {
 /// Told before the order, which turns round from electronvolts to nm.
 void check_unit(const std::string& name, const std::vector<SpectrumRow>& rows) {
   const auto [shortest, longest] = std::ranges::minmax(rows, {}, &SpectrumRow::lambda);
-  const std::string unit = shortest.lambda > 0.0 ? other_unit(shortest.lambda, longest.lambda) : "";
-  if (!unit.empty())
-    throw InputError(
-        name, fmt::format("the wavelengths, {} to {}, look like {}", shortest.lambda, longest.lambda, unit),
-        "give them in nm");
+  const std::string problem = unit_problem(shortest.lambda, longest.lambda);
+  if (!problem.empty()) throw InputError(name, problem, "give them in nm");
 }
 
 }  // namespace
+
+std::string unit_problem(double shortest, double longest) {
+  const std::string unit = shortest > 0.0 ? other_unit(shortest, longest) : "";
+  return unit.empty() ? "" : fmt::format("the wavelengths, {} to {}, look like {}", shortest, longest, unit);
+}
 
 TabulatedSpectrum table_from_rows(const std::string& name, const std::vector<SpectrumRow>& rows,
                                   Beyond beyond) {

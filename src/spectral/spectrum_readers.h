@@ -40,6 +40,9 @@ std::vector<SpectrumRow> read_spectrum_json(const std::string& name, std::string
 /// IES TM-27: SpectralDistribution with SpectralData elements, each with its wavelength.
 std::vector<SpectrumRow> read_spdx(const std::string& name, std::string_view text);
 
+/// What is wrong with wavelengths that are hardly in nm; else empty.
+std::string unit_problem(double shortest, double longest);
+
 /// Checks the rows (finite, not negative, wavelengths in nm and ascending, at most two at one place, at least
 /// two in all) and makes them a table.
 TabulatedSpectrum table_from_rows(const std::string& name, const std::vector<SpectrumRow>& rows,

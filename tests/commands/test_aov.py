@@ -1,8 +1,9 @@
-"""Layers and spectra of EXR files: names, values against the scene's, what is refused."""
+"""Layers, spectra and windows of EXR files: names, values against the scene's, what is refused."""
 
 import math
 import re
 import signal
+import struct
 import subprocess
 import time
 import unittest
@@ -14,6 +15,7 @@ AOVS = {
     "albedo": ["albedo.R", "albedo.G", "albedo.B"],
     "normal": ["normal.X", "normal.Y", "normal.Z"],
     "depth": ["depth.Z"],
+    "alpha": ["alpha.A"],
     "samples": ["samples.Y"],
     "variance": ["variance.R", "variance.G", "variance.B"],
 }
@@ -44,7 +46,7 @@ class Layers(CommandTest):
         self.assertEqual(self.read_json("a.json")["spectral_bins"], 0)
 
     def test_values_are_those_of_the_scene(self):
-        self.render("a.exr", "--aov", "albedo,normal,depth,samples,variance", "--aov", "depth")
+        self.render("a.exr", "--aov", "albedo,normal,depth,alpha,samples,variance", "--aov", "depth")
         _, channels = self.read("a.exr")
         # The wall fills the middle, 5 m away; the floor lies below it, the sky beside it holds nothing.
         for value, expected in zip(self.at(channels, 16, 16, *AOVS["albedo"]), [0.6, 0.1, 0.05]):
@@ -56,7 +58,9 @@ class Layers(CommandTest):
             self.assertAlmostEqual(value, expected, delta=1e-6)
         for value in self.at(channels, 16, 28, *AOVS["albedo"]):
             self.assertAlmostEqual(value, 0.7, delta=1e-3)
-        for name in AOVS["albedo"] + AOVS["normal"] + AOVS["depth"] + AOVS["variance"]:
+        self.assertEqual(self.at(channels, 16, 16, "alpha.A"), [1])
+        self.assertTrue(any(0 < alpha < 1 for alpha in channels["alpha.A"]))  # where edges pass through pixels
+        for name in AOVS["albedo"] + AOVS["normal"] + AOVS["depth"] + AOVS["alpha"] + AOVS["variance"]:
             self.assertEqual(self.at(channels, 0, 16, name), [0], name)
         self.assertEqual(set(channels["samples.Y"]), {8})
         self.assertGreater(min(self.at(channels, 16, 16, *AOVS["variance"])), 0)
@@ -164,6 +168,61 @@ class Layers(CommandTest):
         text = re.sub(r"\s+", " ", self.photopic("render", "--help").stdout)
         for word in [*AOVS, "--aov", "--spectral-bins", "S0.", "samples.Y", "W/(m² sr nm)"]:
             self.assertIn(word, text)
+
+
+class Crop(CommandTest):
+    LAYERS = ["--aov", ",".join(AOVS), "--spectral-bins", "3"]
+
+    def render(self, name, *options):
+        self.photopic("render", self.scene, "-o", name, "--sampler", "uniform", "--spp", "8", "--resolution", "40x24",
+                      "--quiet", *options)  # fmt: skip
+
+    def window(self, attribute):
+        return struct.unpack("<4i", attribute)
+
+    def test_pixels_are_those_of_the_whole_picture(self):
+        self.render("whole.exr", *self.LAYERS)
+        attributes, whole = read_exr(self.folder / "whole.exr")
+        self.assertEqual(self.window(attributes["dataWindow"]), (0, 0, 39, 23))
+        for x0, y0, x1, y1 in [(11, 3, 29, 22), (0, 0, 40, 24), (39, 23, 40, 24)]:
+            crop = f"{x0},{y0},{x1},{y1}"
+            self.render("a.exr", "--crop", crop, "--json", "a.json", *self.LAYERS)
+            attributes, part = read_exr(self.folder / "a.exr")
+            self.assertEqual(self.window(attributes["dataWindow"]), (x0, y0, x1 - 1, y1 - 1))
+            self.assertEqual(self.window(attributes["displayWindow"]), (0, 0, 39, 23))
+            self.assertEqual(set(part), set(whole))
+            for name, pixels in part.items():
+                self.assertEqual(pixels, [whole[name][40 * y + x] for y in range(y0, y1) for x in range(x0, x1)], name)
+            run = self.read_json("a.json")
+            self.assertEqual(run["crop"], [x0, y0, x1, y1])
+            self.assertEqual(run["mean_spp"], 8)
+            mean = sum(part["G"]) / len(part["G"])
+            self.assertAlmostEqual(run["mean_xyz"][1], mean, delta=0.3 * mean)  # not diluted by what is left out
+
+    def test_other_files_have_its_size(self):
+        self.render("whole.hdr", "-o", "whole.exr")
+        self.render("a.hdr", "-o", "a.png", "-o", "a.exr", "--color", "xyz", "--crop", "20,10,25,13")
+        self.assertEqual(struct.unpack(">2I", (self.folder / "a.png").read_bytes()[16:24]), (5, 3))
+        self.assertIn(b"oFFs" + bytes(9), (self.folder / "a.png").read_bytes())  # shown where others are
+        self.photopic("diff", "a.exr", "a.hdr", "a.png")
+        self.assert_refused(["diff", "whole.exr", "a.exr"], "5x3", "40x24")
+
+    def test_limits_look_at_it_alone(self):
+        self.photopic("render", self.scene, "-o", "a.exr", "--sampler", "uniform", "--crop", "8,8,20,20", "--quiet",
+                      "--target-error", "2", "--json", "a.json")  # fmt: skip
+        run = self.read_json("a.json")
+        self.assertLessEqual(run["expected_mean_delta_e"], 2)
+        self.assertAlmostEqual(run["mean_spp"] * 144, run["samples_per_second"] * run["render_seconds"], delta=1e-2)
+
+    def test_refused(self):
+        render = ["render", self.scene, "-o", "a.exr", "--sampler", "uniform", "--spp", "1", "--resolution", "40x24"]
+        for crop in ["0,0,40", "0,0,40,24,1", "0,0,40,24,", "0 0 40 24", "5,5,5,9", "9,5,5,9", "a,0,4,4", "0,0,4.5,4",
+                     "-1,0,4,4", "0,0,4,99999999999"]:  # fmt: skip
+            self.assert_refused(render + ["--crop=" + crop], "--crop " + crop, "X0,Y0,X1,Y1")
+        for crop in ["0,0,41,24", "0,0,40,25"]:
+            self.assert_refused(render + ["--crop", crop], crop, "40x24")
+        self.assert_refused(render + ["--crop", ""], "--crop", "empty")
+        self.assertFalse((self.folder / "a.exr").exists())
 
 
 if __name__ == "__main__":

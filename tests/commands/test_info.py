@@ -96,6 +96,9 @@ class Info(CommandTest):
         text, json_ = self.info(FIXTURE)
         self.assertEqual(json_["file"]["animations"], 1)
         self.assertIn("animations are not played: 1", json_["warnings"])
+        quiet = self.photopic("info", FIXTURE, "--quiet")
+        self.assertEqual(quiet.stdout, "")
+        self.assertEqual(quiet.stderr.splitlines(), [f"warning: {warning}" for warning in json_["warnings"]])
         self.assertIn("animations are not played: 1", text)
         self.assertEqual([(c["name"], c["type"], c["used"]) for c in json_["cameras"]],
                          [("eye", "perspective", True), ("plan", "orthographic", False)])  # fmt: skip

@@ -5,6 +5,7 @@ import pathlib
 import struct
 import unittest
 
+from exr import read_exr
 from harness import CommandTest
 from tiny_scene import tiny_scene
 
@@ -158,6 +159,36 @@ class Scenes(NamesTest):
         self.photopic("compare", "odd.gltf", "--scene", "2", "--samplers", "uniform", "--spp", "1", "--reference-spp",
                       "2", "--json", "a.json", "--quiet")  # fmt: skip
         self.assertEqual(self.read_json("a.json")["scene"]["resolution"], [12, 10])
+
+
+class Told(NamesTest):
+    """Images and JSON say what was rendered as --scene and --camera would choose it."""
+
+    def told(self, name, *options):
+        render = ["--sampler", "uniform", "--spp", "1", "--resolution", "8x8", "--quiet"]
+        self.photopic("render", name, "-o", "a.exr", "--json", "a.json", *render, *options)
+        attributes, _ = read_exr(self.folder / "a.exr")
+        told = [attributes.get(key, b"").decode() or None for key in ["scene_of_file", "camera"]]
+        scene = self.read_json("a.json")["scene"]
+        self.assertEqual([scene["scene"], scene["camera"]], told)
+        return told
+
+    def test_scenes_and_cameras(self):
+        scene = tiny_scene()
+        self.assertEqual(self.told(self.write_scene(scene)), ["index:0", "index:0"])
+        scene["scenes"] = [dict(scene["scenes"][0], name=name) for name in ["S", "S", "T"]]
+        scene["nodes"][1]["name"] = "eye"
+        scene["nodes"].append(dict(scene["nodes"][1], name="other eye"))
+        for nodes in scene["scenes"]:
+            nodes["nodes"] = [0, 1, 2]
+        name = self.write_scene(scene)
+        self.assertEqual(self.told(name), ["S", "eye"])
+        self.assertEqual(self.told(name, "--scene", "1"), ["index:1", "eye"])
+        self.assertEqual(self.told(name, "--scene", "2", "--camera", "other eye"), ["T", "other eye"])
+        scene["scenes"] = [{"nodes": [0]}]
+        self.assertEqual(self.told(self.write_scene(scene)), ["index:0", None])
+        self.photopic("compare", name, "--samplers", "uniform", "--spp", "1", "--reference-spp", "2", "--json", "c.json")
+        self.assertEqual(self.read_json("c.json")["scene"]["camera"], None)
 
 
 class StrayExtras(NamesTest):

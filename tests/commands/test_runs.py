@@ -339,6 +339,19 @@ class Compare(CommandTest):
         measured = self.read_json("diff.json")["runs"][0]["mean_delta_e"]
         self.assertAlmostEqual(measured, uniform["mean_delta_e"], places=4)
 
+    def test_diff_measures_with_the_same_whites(self):
+        self.photopic("render", self.scene, "-o", "r.exr", "--sampler", "uniform", "--spp", "8", "--seed", "9", "--quiet")
+        errors = []
+        for white, lamp in [("D65", "D65"), ("illuminant", "cie:FL11")]:
+            self.photopic("compare", self.scene, "--emitter", "cie:FL11", "--reference", "r.exr", "--samplers", "uniform",
+                          "--spp", "4", "--report", "report", "--white", white, "--json", "c.json", "--quiet")  # fmt: skip
+            out = self.photopic("diff", "r.exr", "report/uniform.exr", "--white", lamp, "--json", "d.json", "--quiet").stdout
+            self.assertEqual(out, "")
+            self.assertEqual(self.read_json("d.json")["white"], lamp)
+            errors.append(self.read_json("d.json")["runs"][0]["mean_delta_e"])
+            self.assertAlmostEqual(errors[-1], self.read_json("c.json")["runs"][0]["mean_delta_e"], places=4)
+        self.assertGreater(abs(errors[0] - errors[1]), 0.01)
+
     def interrupt_after_the_reference(self, *options):
         """Returns what stderr held after it."""
         command = [BINARY, "compare", str(self.scene), "--samplers", "uniform", "--spp", str(1 << 24), "--reference-spp",

@@ -11,12 +11,12 @@ from tiny_scene import write_tiny_scene
 COMMANDS = {
     "render": "--output --spp --sampler --wavelengths --emitter --distribution --resolution --scene --camera --max-depth "
     "--sequence --exposure --seed --threads --quiet --json --stats --batch-size --no-cache "
-    "--aov --spectral-bins",
+    "--aov --spectral-bins --crop",
     "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet "
     "--compare-wavelengths --nodes --reflectances",
     "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter --scene --camera",
-    "diff": "--json --threads",
-    "info": "--emitter --resolution --scene --camera --threads --json",
+    "diff": "--json --threads --white --quiet",
+    "info": "--emitter --resolution --scene --camera --threads --json --quiet",
     "spectrum": "--plot --json --quiet",
 }
 
@@ -61,7 +61,7 @@ class Refused(CommandTest):
             (["render", "--out", "a.exr", self.scene], ["--out: there is no such option (--output?); see"]),
             (["render", "--camra", "eye", self.scene], ["--camra: there is no such option (--camera?); see"]),
             (["optimise", "cie:A"], ["optimise: there is no such command (optimize?); see"]),
-            (["render", "--frob=1", self.scene], ["--frob: there is no such option; see"]),
+            (["render", "--frobnicate=1", self.scene], ["--frobnicate: there is no such option; see"]),
             (["render", self.scene, "a.exr"], ["--output is required"]),
             (["render", "--", self.scene], ["--output is required"]),
             (["compare", self.scene, "--sampler", "uniform"], ["--sampler: there is no such option (--samplers?);"]),
@@ -255,10 +255,18 @@ class Refused(CommandTest):
         self.assert_refused(render + ["--distribution", "a3.json", "--emitter", "cie:A"], "a3.json", "3")
         self.assert_refused(self.render("--distribution", "a.json"), "--distribution", "optimized")
         self.assertFalse((self.folder / "out.exr").exists())
+        self.photopic(*self.render("--quiet"))
+        compare = ["compare", self.scene, "--emitter", "cie:A", "--spp", "1", "--quiet", "--distribution", "a.json"]
+        existing = compare + ["--reference", "out.exr", "--samplers"]
+        self.assert_refused(existing + ["uniform,visible"], "--distribution", "optimised sampler alone", "--samplers")
+        self.photopic(*existing, "optimized")
+        self.photopic(*compare, "--samplers", "uniform", "--reference-spp", "2")  # the reference's
 
     def test_lamps_have_powers(self):
         self.assert_refused(["optimize", "cie:A", "cie:FL11*much", "-o", "d.json"], "cie:FL11*much", "much")
-        self.assert_refused(["optimize", "cie:A*0", "-o", "d.json"], "cie:A*0")
+        for power in ["0", "-1", "1e300", "1e-300", "1e999", "inf", "nan", ""]:
+            self.assert_refused(["optimize", "cie:D65", f"cie:A*{power}", "-o", "d.json"], f"cie:A*{power}: ", "1e+100")
+        self.photopic("optimize", "cie:D65*1e-100", "cie:A*1e100", "-o", "d.json", "--effort", "quick", "--quiet")
         self.assert_refused(["optimize", "cie:A*2", "cie:FL99*2", "-o", "d.json"], "FL99")
 
     def test_distribution_of_several_lamps_must_fit_all_and_their_powers(self):
@@ -279,6 +287,13 @@ class Refused(CommandTest):
         self.photopic("render", self.scene, "-o", "small.exr", "--resolution", "8x4", "--sampler", "uniform", "--quiet")
         self.assert_refused(["diff", "out.exr", "small.exr"], "small.exr", "8x4")
         self.assert_refused(["compare", self.scene, "--reference", "small.exr", "--samplers", "uniform"], "small.exr")
+
+    def test_the_white_of_a_diff_gives_light(self):
+        self.photopic(*self.render("--quiet"))
+        (self.folder / "dark.csv").write_text("400 0\n700 0\n")
+        for white in ["dark.csv", "line:900", "illuminant"]:
+            self.assert_refused(["diff", "out.exr", "out.exr", "--white", white], white)
+        self.assert_refused(["diff", "out.exr", "out.exr", "--white", "dark.csv", "--json", "dark.csv"], "overwritten")
 
     def test_failure_leaves_existing_files_alone(self):
         for name in ["out.exr", "run.json", "d.json"]:

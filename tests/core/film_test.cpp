@@ -24,6 +24,16 @@ TEST(Film, MeansAndVariances) {
   EXPECT_DOUBLE_EQ(film.image_variance_of_mean().x, 14.0 / 12.0 / 4.0);
 }
 
+TEST(Film, PartsKeepTheirPixels) {
+  Film film(5, 4);
+  for (std::size_t i = 0; i < 20; ++i) film.add(i, {double(i), 0.0, 0.0});
+  const Film part = film.cropped({1, 2, 4, 4});
+  ASSERT_EQ(part.width(), 3);
+  ASSERT_EQ(part.height(), 2);
+  const double expected[] = {11, 12, 13, 16, 17, 18};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(part.mean(i).x, expected[i]);
+}
+
 TEST(Film, WhiteBecomesWhite) {
   Film film(1, 1);
   film.add(0, d65_white());

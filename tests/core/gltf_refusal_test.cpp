@@ -94,6 +94,15 @@ const Fault kFaults[] = {
        f.materials =
            R"([{"extras": {"emission_spectrum": {"nm": [400, null, 700], "value": [1, null, 2]}}}])";
      }},
+    {"/materials/0/extras/reflectance_spectrum",
+     [](SquareFile& f) {
+       f.materials =
+           R"([{"extras": {"reflectance_spectrum": {"nm": [400, 700], "value": [0, 1], "scale": 0.5}}}])";
+     }},
+    {"/materials/0/extras/reflectance_spectrum/nm",
+     [](SquareFile& f) {
+       f.materials = R"([{"extras": {"reflectance_spectrum": {"nm": [0.4, 0.7], "value": [0, 1]}}}])";
+     }},
     {"/materials/0/extras/glass",
      [](SquareFile& f) { f.materials = R"([{"extras": {"conductor": "Au", "glass": "BK7"}}])"; }},
     {"/materials/0/extras/conductor",
@@ -139,6 +148,15 @@ TEST_F(GltfTest, FaultsAreRefusedByTheirPlace) {
     EXPECT_NE(text.find(std::string("#") + fault.pointer + ":"), std::string::npos)
         << "expected " << fault.pointer << ", got: " << text;
   }
+}
+
+TEST_F(GltfTest, SpectraWrittenOutHaveTheUnitOfFiles) {
+  SquareFile file;
+  file.materials =
+      R"([{"emissiveFactor": [1, 1, 1], "extras": {"emission_spectrum": {"nm": [0.38, 0.78], "value": [1, 1]}}}])";
+  const std::string text = refusal(file.str());
+  EXPECT_NE(text.find("the wavelengths, 0.38 to 0.78, look like micrometres"), std::string::npos) << text;
+  EXPECT_NE(text.find("give them in nm"), std::string::npos) << text;
 }
 
 TEST_F(GltfTest, WhatIsNoGltfIsRefused) {

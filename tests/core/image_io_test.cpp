@@ -233,6 +233,21 @@ TEST_F(ImageIo, WithoutMemoryForTheFileItSaysSo) {
   EXPECT_EQ(file_count(), 1u);
 }
 
+/// The library's threads stay until another number is asked for.
+TEST_F(ImageIo, ThreadsAreLimited) {
+  const auto count_with = [&](int threads) {
+    limit_image_threads(threads);
+    write_image(folder_ / "a.exr", Image(64, 64));
+    read_image(folder_ / "a.exr");
+    const std::filesystem::directory_iterator tasks("/proc/self/task");
+    return std::distance(begin(tasks), end(tasks));
+  };
+  const auto alone = count_with(1);
+  EXPECT_GE(count_with(3), alone + 3);
+  EXPECT_LE(count_with(3), alone + 5);  // of OpenEXR 3, of OpenImageIO 2
+  EXPECT_LE(count_with(1), alone + 2);  // whose two end in their own time
+}
+
 TEST_F(ImageIo, AJpegHasALargestSize) {
   EXPECT_THROW(check_image_size("a.JPG", 65501, 1), InputError);
   EXPECT_THROW(check_image_size("a.jpeg", 1, 65501), InputError);

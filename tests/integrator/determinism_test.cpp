@@ -61,6 +61,22 @@ TEST(Determinism, BatchesAndThreadsChangeNoBit) {
   }
 }
 
+/// A window's pixels have the whole picture's samples, and the others none.
+TEST(Determinism, WindowsChangeNoBit) {
+  for (const SceneBuilder& b : {glossy_room(40), glass_room(40)}) {
+    const PreparedScene scene(b.build());
+    const Film whole = render(scene, UniformWavelengths{4}, {.spp = 20, .seed = 7}).film;
+    for (const PixelWindow& window : {PixelWindow{13, 5, 37, 18}, {0, 39, 40, 40}, {16, 16, 17, 17}}) {
+      const RenderResult r = render(scene, UniformWavelengths{4}, {.spp = 20, .seed = 7, .window = window});
+      EXPECT_EQ(r.stats.paths, 20u * static_cast<unsigned>(window.pixel_count()));
+      EXPECT_TRUE(same_bits(r.film.cropped(window), whole.cropped(window)));
+      std::uint64_t samples = 0;
+      for (std::size_t i = 0; i < 1600; ++i) samples += r.film.count(i);
+      EXPECT_EQ(samples, r.stats.paths);
+    }
+  }
+}
+
 /// More samples continue the same sequence: the first ones stay.
 TEST(Determinism, SamplesDoNotDependOnTheirNumber) {
   const PreparedScene scene(diffuse_room(8).build());

@@ -76,6 +76,7 @@ TEST(FirstHits, AnEdgeAndNothing) {
   EXPECT_NEAR(hits.albedo.at(1, 1)[0], 0.4, 1e-6);  // Sobol' points: 32 of 64 in either half
   expect_near(hits.normal.at(1, 1), {0, 0, 0.5}, 1e-6);
   EXPECT_NEAR(hits.depth[4], 1.0, 1e-6);
+  EXPECT_EQ(hits.alpha[4], 0.5f);
   const int empty = hits.depth[3] == 0.0f ? 0 : 2;
   expect_near(hits.albedo.at(empty, 1), {}, 0.0);
   expect_near(hits.normal.at(empty, 1), {}, 0.0);

@@ -19,9 +19,7 @@ TEST(TileError, IsHalfTheDistanceOfTheFilms) {
     b.add(i, grey(i % 20 < 16 ? 50 : 60));
   }
   const double s = 1.0 + 0.015 * 25.0 / std::sqrt(20.0 + 25.0);  // S_L of CIEDE2000 at a mean L* of 55
-  Camera camera;
-  camera.width = 20, camera.height = 4;
-  const std::vector<Tile> tiles = film_tiles(camera);
+  const std::vector<Tile> tiles = film_tiles({0, 0, 20, 4});
   ASSERT_EQ(tiles.size(), 2u);
   EXPECT_NEAR(expected_delta_e(a, b, tiles[0]).value(), 0.5 * 10.0 / s, 1e-9);
   EXPECT_NEAR(expected_delta_e(a, b, tiles[1]).value(), 0.0, 1e-9);
@@ -34,9 +32,7 @@ TEST(TileError, IsHalfTheDistanceOfTheFilms) {
 
 TEST(TileError, IsNotKnownOfOneFilm) {
   Film a(20, 4), b(20, 4);
-  Camera camera;
-  camera.width = 20, camera.height = 4;
-  const std::vector<Tile> tiles = film_tiles(camera);
+  const std::vector<Tile> tiles = film_tiles({0, 0, 20, 4});
   for (std::size_t i = 0; i < 80; ++i) a.add(i, d65_white());
   EXPECT_FALSE(expected_delta_e(a, b, tiles[0]));
   b.add(0, d65_white());  // a pixel that lost its samples does not count

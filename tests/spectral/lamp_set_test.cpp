@@ -75,6 +75,15 @@ TEST(LampSet, PowersAreLuminous) {
   EXPECT_NEAR(emission_xyz(mixed_light(set), Observer::cie1931()).y, 1.0 / shares[1 - a], 1e-9);
 }
 
+TEST(LampSet, PowersMayLieFarApart) {
+  const std::vector<TabulatedSpectrum> set =
+      lamp_set(std::vector{lamp("A"), lamp("FL11")}, std::vector{1e-100, 1e100});
+  const std::vector<double> shares = luminance_shares(set);
+  ASSERT_EQ(set.size(), 2u);
+  EXPECT_NEAR(std::min(shares[0], shares[1]), 1e-200, 1e-209);
+  EXPECT_NE(digest(set), digest_of({lamp("A"), lamp("FL11")}, {1e-99, 1e100}));
+}
+
 TEST(LampSet, WithoutLightIsEmpty) {
   EXPECT_TRUE(lamp_set({}, {}).empty());
   EXPECT_TRUE(lamp_set(std::vector{lamp("A")}, std::vector{0.0}).empty());

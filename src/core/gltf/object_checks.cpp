@@ -5,8 +5,10 @@
 #include <initializer_list>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "core/gltf/member_checks.h"
+#include "spectral/spectrum_readers.h"
 
 namespace photopic {
 namespace {
@@ -52,16 +54,29 @@ void check_unique(const Place& object, const char* list) {
   });
 }
 
-void check_spectrum(const Place& at) {
-  constexpr const char* kRemedy = "write a spectrum's name or {\"nm\": [...], \"value\": [...]}";
-  if (at.value.is_string() || at.value.is_null()) return;
-  if (!at.value.is_object()) at.fail("this is no spectrum", kRemedy);
+constexpr const char* kSpectrumRemedy = "write a spectrum's name or {\"nm\": [...], \"value\": [...]}";
+
+/// A spectrum written out.
+void check_table(const Place& at) {
   const auto is_number = [](const Json& number) { return number.is_number(); };
   for (const char* key : {"nm", "value"}) {
     const bool good = at.has(key) && at.value.at(key).is_array() && !at.value.at(key).empty() &&
                       std::ranges::all_of(at.value.at(key), is_number);
-    if (!good) at.fail(fmt::format("\"{}\" is not a list of numbers", key), kRemedy);
+    if (!good) at.fail(fmt::format("\"{}\" is not a list of numbers", key), kSpectrumRemedy);
   }
+  for (const auto& [key, value] : at.value.items())
+    if (key != "nm" && key != "value")
+      at.fail(fmt::format("it has an unknown member \"{}\"", key.substr(0, 60)), kSpectrumRemedy);
+  const auto lambda = at.value.at("nm").get<std::vector<double>>();
+  const auto [shortest, longest] = std::ranges::minmax(lambda);
+  const std::string problem = unit_problem(shortest, longest);
+  if (!problem.empty()) at.member("nm").fail(problem, "give them in nm");
+}
+
+void check_spectrum(const Place& at) {
+  if (at.value.is_string() || at.value.is_null()) return;
+  if (!at.value.is_object()) at.fail("this is no spectrum", kSpectrumRemedy);
+  check_table(at);
 }
 
 /// The spectra in an object's `extras`. A null or an empty list would make a wrong picture without a word:

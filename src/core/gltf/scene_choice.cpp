@@ -45,6 +45,13 @@ int choose_scene(const GltfDocument& document, const std::string& name, std::vec
   return index;
 }
 
+std::string scene_handle(const tinygltf::Model& model, int scene) {
+  if (scene < 0) return "";
+  const std::string& name = model.scenes[static_cast<std::size_t>(scene)].name;
+  const auto first = std::ranges::find(model.scenes, name, &tinygltf::Scene::name);
+  return name.empty() || first - model.scenes.begin() != scene ? fmt::format("index:{}", scene) : name;
+}
+
 std::string scene_title(const tinygltf::Model& model, int scene) {
   const std::string& name = model.scenes[static_cast<std::size_t>(scene)].name;
   return name.empty() ? std::to_string(scene) : fmt::format("{} \"{}\"", scene, name.substr(0, 60));
