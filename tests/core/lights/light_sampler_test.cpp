@@ -135,6 +135,14 @@ TEST(LightSampler, SpotsWithHardEdges) {
   }
 }
 
+/// Of two spectra, where one is chosen first.
+std::vector<float> some_probabilities(const LightSampler& lights) {
+  if (!lights.several_spectra()) return {};
+  std::vector<float> spectra{0.7f, 0.2f};
+  lights.spectrum_probabilities(spectra);
+  return spectra;
+}
+
 /// Of a few kinds of light one is chosen first; of more there is one tree.
 TEST(LightSampler, ManyKindsStandInOneTree) {
   EXPECT_TRUE(LightSampler(many_lamps(4).build()).several_spectra());
@@ -146,9 +154,7 @@ TEST(LightSampler, DensitiesAreFoundAgain) {
   for (const SceneBuilder& b : {three_lamps(false), many_lamps(2), many_lamps(7)}) {
     const Scene scene = b.build();
     const LightSampler lights(scene);
-    std::vector<float> spectra;
-    if (lights.several_spectra()) spectra = {0.7f, 0.2f};
-    lights.spectrum_probabilities(spectra);
+    const std::vector<float> spectra = some_probabilities(lights);
     for (std::uint32_t k = 0; k < 50; ++k) {
       const SampleStream place(Sequence::independent, 3, 0, k);
       const LightReference at{{place.get_1d(0) * 2 - 1, place.get_1d(1) * 2 - 1, place.get_1d(2) * 2},
@@ -192,9 +198,7 @@ TEST(LightSampler, DensitiesAddUpToOne) {
   for (const SceneBuilder& b : {three_lamps(false), many_lamps(2), many_lamps(7)}) {
     const Scene scene = b.build();
     const LightSampler lights(scene);
-    std::vector<float> spectra;
-    if (lights.several_spectra()) spectra = {0.7f, 0.2f};
-    lights.spectrum_probabilities(spectra);
+    const std::vector<float> spectra = some_probabilities(lights);
     for (std::uint32_t k = 0; k < 8; ++k) {
       const SampleStream place(Sequence::independent, 3, 0, k);
       const LightReference at{
