@@ -12,8 +12,9 @@ namespace {
 /// More panes than any room has: rounding must not hold a ray for ever.
 constexpr int kMostPanes = 64;
 
+/// Of index 0 it is a mirror.
 bool is_thin_glass(const Surface& surface) {
-  return surface.transmits && !surface.solid;
+  return surface.transmits && !surface.solid && surface.ior != 0.0f;
 }
 
 /// What GlassBsdf lets pass straight on, times the probability that it is asked.

@@ -111,9 +111,10 @@ double share_through(const std::vector<Material>& panes, Vec3f w, bool at_a_poin
                               .emission_spectrum = spectrum}};
   RenderOptions direct{.spp = 1000, .max_depth = 2};
   const PreparedScene prepared(scene);
-  const Film film =
-      render(prepared, IlluminantWavelengths{4, base_density(scene_emission(prepared))}, direct).film;
-  return film.image_mean().y / floor_luminance(w.z);
+  const RenderResult result =
+      render(prepared, IlluminantWavelengths{4, base_density(scene_emission(prepared))}, direct);
+  EXPECT_EQ(result.stats.non_finite, 0u);
+  return result.film.image_mean().y / floor_luminance(w.z);
 }
 
 /// BSDF sampling never finds such a light through glass that only lets pass straight on; shadow rays do.
@@ -134,6 +135,7 @@ TEST(PunctualLights, ShineThroughThinPanes) {
 
   EXPECT_EQ(share_through({pane, diffuse(ConstantSpectrum{0.5})}, up), 0.0);
   EXPECT_EQ(share_through({solid_glass(1.5f, 0.0f)}, up), 0.0);
+  EXPECT_EQ(share_through({pane, thin_glass(0.0f, 0.0f)}, up), 0.0);  // a mirror
 }
 
 /// Lamps of every kind light one spot in the sum of their parts, whichever are chosen.
