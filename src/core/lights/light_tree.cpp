@@ -107,7 +107,7 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
     pending.pop_back();
     std::uint32_t lane = 0;
     const std::vector<LightCluster> branches = build.branches(cluster, node == 0);
-    nodes_[node].count = static_cast<std::uint32_t>(branches.size());
+    if (node == 0) root_width_ = static_cast<std::uint32_t>(branches.size());
     for (const LightCluster& branch : branches) {
       const Place place = node * kWidth + lane;
       build.fill(nodes_[node], lane, branch);

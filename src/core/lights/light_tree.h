@@ -44,7 +44,6 @@ class LightTree {
 
   /// Branches that are missing have no power.
   struct Node {
-    std::uint32_t count = 0;  ///< of the branches
     LightBranch<Lanes> branches{};
     IntLanes child{};                              ///< a node, or ~light
     UintLanes cluster = UintLanes{} + kNoCluster;  ///< of lights so alike that power may choose among them
@@ -65,6 +64,7 @@ class LightTree {
   static constexpr Place kRoot = ~0u;
 
   std::vector<Node> nodes_;
+  std::uint32_t root_width_ = 0;  ///< how many branches the first has
   std::vector<Cluster> clusters_;
   std::vector<std::uint32_t> lights_in_order_;  ///< their names, so that each branch's stand together
   std::vector<Place> place_of_node_;            ///< in its parent

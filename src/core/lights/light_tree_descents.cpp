@@ -13,7 +13,7 @@ class LightTree::Descents {
            std::span<const std::uint32_t> wanted, Choices& choices)
       : tree_(tree), at_(at), choices_(choices), u_(u), count_(wanted.size()) {
     std::ranges::copy(wanted, under_way_.begin());
-    draw(weigh_root(), tree_.nodes_[0].count);
+    draw(weigh_root(), tree_.root_width_);
   }
 
   /// To the branches drawn. @return whether there is more to go
@@ -52,9 +52,9 @@ class LightTree::Descents {
 };
 
 LaneMatrix LightTree::Descents::weigh_root() const {
-  const Node& root = tree_.nodes_[0];
   LaneMatrix weight;
-  for (std::uint32_t i = 0; i < root.count; ++i) weight[i] = importance(root.branch(i), at_);
+  for (std::uint32_t i = 0; i < tree_.root_width_; ++i)
+    weight[i] = importance(tree_.nodes_[0].branch(i), at_);
   return weight;
 }
 
