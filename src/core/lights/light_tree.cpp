@@ -11,9 +11,9 @@ namespace {
 constexpr float kNarrowCone = 0.9f;
 constexpr float kSmall2 = 0.06f;
 
-/// The root's branches are weighed for every choice, so none is opened there that has neither this share of
-/// the cost nor this share of the power.
-constexpr double kLeastCost = 1e-6, kLeastPower = 0.01;
+/// The root's branches are weighed for every choice, so none is opened there that has less than this share
+/// of the cost.
+constexpr double kLeastCost = 1e-6;
 
 }  // namespace
 
@@ -42,8 +42,7 @@ struct LightTree::Build {
     std::vector<LightCluster> list{all};
     const auto opens = [&](const LightCluster& c) {
       if (!root) return c.members.size() > kWidth;
-      return c.members.size() > 1 && (c.cost > kLeastCost * all.cost ||
-                                      double{c.bounds.power} > kLeastPower * double{all.bounds.power});
+      return c.members.size() > 1 && c.cost >= kLeastCost * all.cost;
     };
     const auto cost = [&](const LightCluster& c) { return opens(c) ? c.cost : -1.0; };
     while (list.size() < kWidth) {
