@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/fresnel_albedo.h"
+#include "core/bsdf/fresnel_albedo.h"
+#include "core/bsdf/sheen.h"
 #include "core/rough_glass.h"
-#include "core/sheen.h"
 #include "core/touching.h"
 #include "spectral/lamp_set.h"
 #include "spectral/rgb_light.h"

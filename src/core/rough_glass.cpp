@@ -4,9 +4,9 @@
 #include <map>
 #include <tuple>
 
-#include "core/albedo_axes.h"
 #include "core/box.h"
-#include "core/microfacet.h"
+#include "core/bsdf/albedo_axes.h"
+#include "core/bsdf/microfacet.h"
 
 namespace photopic {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/glass_albedo.h"
+#include "core/bsdf/glass_albedo.h"
 #include "core/sample_spectrum.h"
 #include "core/triangle_point.h"
 

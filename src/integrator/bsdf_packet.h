@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/opaque_bsdf.h"
+#include "core/bsdf/opaque_bsdf.h"
 #include "core/upsampling_lanes.h"
 
 namespace photopic {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "core/fresnel.h"
+#include "core/bsdf/fresnel.h"
 #include "integrator/path_start.h"
 #include "integrator/slot_queue.h"
 #include "integrator/vertex.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/glass_reflectance.h"
+#include "core/bsdf/glass_reflectance.h"
 #include "integrator/vertex.h"
 
 namespace photopic {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/accel.h"
-#include "core/bsdf.h"
+#include "core/bsdf/bsdf.h"
 #include "core/prepared_scene.h"
 #include "integrator/emission_array.h"
 #include "integrator/media.h"

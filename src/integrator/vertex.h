@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/bsdf.h"
+#include "core/bsdf/bsdf.h"
 #include "core/normal_map.h"
 #include "core/prepared_scene.h"
 #include "core/surface_point.h"

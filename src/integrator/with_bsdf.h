@@ -2,11 +2,11 @@
 
 #include <type_traits>
 
-#include "core/conductor_bsdf.h"
-#include "core/glass_bsdf.h"
-#include "core/layered_bsdf.h"
-#include "core/opaque_bsdf.h"
-#include "core/spectral_glass_bsdf.h"
+#include "core/bsdf/conductor_bsdf.h"
+#include "core/bsdf/glass_bsdf.h"
+#include "core/bsdf/layered_bsdf.h"
+#include "core/bsdf/opaque_bsdf.h"
+#include "core/bsdf/spectral_glass_bsdf.h"
 #include "core/surface.h"
 
 namespace photopic {

@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "core/conductor_bsdf.h"
-#include "core/glass_bsdf.h"
-#include "core/layered_bsdf.h"
-#include "core/opaque_bsdf.h"
+#include "core/bsdf/conductor_bsdf.h"
+#include "core/bsdf/glass_bsdf.h"
+#include "core/bsdf/layered_bsdf.h"
+#include "core/bsdf/opaque_bsdf.h"
+#include "core/bsdf/spectral_glass_bsdf.h"
 #include "core/sample_sequence.h"
-#include "core/spectral_glass_bsdf.h"
 #include "integrator/vertex.h"
 
 namespace photopic {

@@ -1,7 +1,7 @@
 #include "core/gltf_loader.h"
 
+#include "core/bsdf/shading_material.h"
 #include "core/gltf/material.h"
-#include "core/shading_material.h"
 #include "gltf_fixture.h"
 #include "spectral/illuminants.h"
 #include "spectral/observer.h"

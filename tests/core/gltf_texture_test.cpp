@@ -1,5 +1,5 @@
+#include "core/bsdf/shading_material.h"
 #include "core/prepared_scene.h"
-#include "core/shading_material.h"
 #include "gltf_fixture.h"
 #include "support/png.h"
 

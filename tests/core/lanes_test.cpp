@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/opaque_bsdf.h"
+#include "core/bsdf/opaque_bsdf.h"
 #include "core/row_array.h"
 #include "core/sample_sequence.h"
 #include "support/bsdf_checks.h"

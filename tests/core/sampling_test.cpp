@@ -4,8 +4,8 @@
 
 #include <numbers>
 
+#include "core/bsdf/microfacet.h"
 #include "core/frame.h"
-#include "core/microfacet.h"
 #include "support/bsdf_checks.h"
 
 namespace photopic {

@@ -2,8 +2,8 @@
 
 #include <numbers>
 
-#include "core/fresnel.h"
-#include "core/microfacet.h"
+#include "core/bsdf/fresnel.h"
+#include "core/bsdf/microfacet.h"
 #include "integrator/integrator.h"
 #include "spectral/observer.h"
 #include "support/standard_scenes.h"

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "core/fresnel.h"
+#include "core/bsdf/fresnel.h"
 #include "support/render_checks.h"
 
 namespace photopic {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "core/albedo_axes.h"
-#include "core/glass_albedo.h"
+#include "core/bsdf/albedo_axes.h"
+#include "core/bsdf/glass_albedo.h"
 #include "core/sample_sequence.h"
 #include "support/bsdf_checks.h"
 #include "support/scene_builder.h"

@@ -4,12 +4,12 @@
 #include <memory>
 #include <numbers>
 
-#include "core/conductor_bsdf.h"
-#include "core/glass_bsdf.h"
-#include "core/layered_bsdf.h"
-#include "core/opaque_bsdf.h"
+#include "core/bsdf/conductor_bsdf.h"
+#include "core/bsdf/glass_bsdf.h"
+#include "core/bsdf/layered_bsdf.h"
+#include "core/bsdf/opaque_bsdf.h"
+#include "core/bsdf/spectral_glass_bsdf.h"
 #include "core/prepared_scene.h"
-#include "core/spectral_glass_bsdf.h"
 
 namespace photopic::test {
 namespace {

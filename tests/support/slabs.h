@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/fresnel.h"
+#include "core/bsdf/fresnel.h"
 #include "support/scene_builder.h"
 
 namespace photopic::test {
