@@ -324,6 +324,19 @@ TEST(Media, CameraUnderOpenWater) {
   expect_luminance(render_finite(b, 100, 1), kLamp * std::pow(0.8, std::hypot(0.5, 0.01)), "below", 1e-4);
 }
 
+/// There, rough glass that elsewhere would refract nothing meets an index that its mesh's place does not tell
+/// of.
+TEST(Media, RoughGlassUnderOpenWater) {
+  SceneBuilder b;
+  b.box({-4, -4, -4}, {4, 4, 4}, b.lamp(ConstantSpectrum{1.0}, kLamp), true);
+  b.quad({-4, 3, -4}, {-4, 3, 4}, {4, 3, 4}, {4, 3, -4}, b.material(tinted(1.33f, 1.0)));
+  b.sphere({0, 0, 0}, 1, 3, b.material(solid_glass(1.0f, 1.0f)));
+  b.camera({0, 0, -3}, {0, 0, 0}, 10, 4, 4);
+  const double y = luminance(render_finite(b, 256)).mean;
+  EXPECT_GT(y, 0.4 * kLamp);  // without further bounces
+  EXPECT_LE(y, 1.001 * kLamp);
+}
+
 /// What bounds a path's media, step by step.
 TEST(PathMedia, OrderIsByPriorityThenByEntering) {
   const std::vector<Material> materials{tinted(1.5f, 1, 1), tinted(1.33f, 1), tinted(1.31f, 1)};

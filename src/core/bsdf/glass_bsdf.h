@@ -91,9 +91,11 @@ class GlassBsdf {
   }
 
   FurtherGlass further(const ShadingMaterial<N>& m) const {
-    if (solid_ && ior_ != 0.0f)
-      return FurtherGlass::of_solid(*m.surface().glass_albedo, wo_.z, m.roughness(), eta_, {specular_, {}});
-    return FurtherGlass::of_thin_wall(wo_.z, m.roughness(), reflectance(FurtherGlass::kMeanCosine));
+    if (!solid_ || ior_ == 0.0f)
+      return FurtherGlass::of_thin_wall(wo_.z, m.roughness(), reflectance(FurtherGlass::kMeanCosine));
+    const auto& albedo = m.surface().glass_albedo;  // none where nothing was foreseen to be refracted
+    if (!albedo) return {};
+    return FurtherGlass::of_solid(*albedo, wo_.z, m.roughness(), eta_, {specular_, {}});
   }
 
   /// Adds further bounces to one bounce's value; densities are shared out. wi as wo_ stands.

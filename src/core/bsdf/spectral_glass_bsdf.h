@@ -102,7 +102,7 @@ class SpectralGlassBsdf {
     if (!solid_)
       return FurtherGlass::of_thin_wall(wo_.z, m.roughness(),
                                         reflectance_.of_wall(FurtherGlass::kMeanCosine, j));
-    const auto& albedo = m.surface().glass_albedo;  // none where no wavelength is refracted
+    const auto& albedo = m.surface().glass_albedo;  // none where nothing was foreseen to be refracted
     if (!albedo) return {};
     return FurtherGlass::of_solid(*albedo, wo_.z, m.roughness(), eta(j), reflectance_.beyond_bare(j));
   }
