@@ -42,9 +42,9 @@ Cone unite_cones(Cone a, Cone b) {
   return {normalize(axis), std::cos(angle)};
 }
 
-/// Power × area of the box × solid angle of the directions lit.
+/// Intensity × area of the box × solid angle of the directions lit.
 double cost_of(const LightBounds& b) {
-  if (!(b.power > 0.0f)) return 0.0;
+  if (!(b.intensity > 0.0f)) return 0.0;
   const Vec3f d = b.high - b.low;
   const double area = 2.0 * (double{d.x} * d.y + double{d.y} * d.z + double{d.z} * d.x);
   const double diagonal2 = dot(to_double(d), to_double(d));
@@ -55,7 +55,7 @@ double cost_of(const LightBounds& b) {
       0.5 * std::numbers::pi *
           (2.0 * w * std::sin(o) - std::cos(o - 2.0 * w) - 2.0 * o * std::sin(o) + std::cos(o));
   // A flat or thin box still has an extent.
-  return b.power * angle * (area + 1e-3 * diagonal2);
+  return b.intensity * angle * (area + 1e-3 * diagonal2);
 }
 
 LightBounds bounds_of(const std::vector<LightBounds>& lights, std::span<const std::uint32_t> members) {
@@ -126,12 +126,16 @@ int best_border(const Buckets& buckets) {
 }  // namespace
 
 LightBounds unite(const LightBounds& a, const LightBounds& b) {
-  if (a.power == 0.0f) return b;
-  if (b.power == 0.0f) return a;
+  if (a.intensity == 0.0f) return b;
+  if (b.intensity == 0.0f) return a;
   const Cone cone = unite_cones({a.axis, a.cos_o}, {b.axis, b.cos_o});
-  return {
-      lower(a.low, b.low), upper(a.high, b.high),     cone.axis, cone.cos_angle, std::min(a.cos_e, b.cos_e),
-      a.power + b.power,   a.two_sided || b.two_sided};
+  return {lower(a.low, b.low),
+          upper(a.high, b.high),
+          cone.axis,
+          cone.cos_angle,
+          std::min(a.cos_e, b.cos_e),
+          a.intensity + b.intensity,
+          a.two_sided || b.two_sided};
 }
 
 LightCluster::LightCluster(const std::vector<LightBounds>& lights, std::span<std::uint32_t> its)

@@ -17,7 +17,7 @@ struct LightBounds {
   Vec3f axis{};            ///< unit
   float cos_o = 1.0f;      ///< −1: normals all around
   float cos_e = 0.0f;      ///< of π/2 for surfaces, π for points
-  float power = 0.0f;      ///< luminous intensity along the axis, up to a factor common to all
+  float intensity = 0.0f;  ///< along the axis, up to a factor common to all
   bool two_sided = false;  ///< shines along −axis too
 
   Vec3f middle() const { return (low + high) * 0.5f; }

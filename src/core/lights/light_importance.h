@@ -8,7 +8,7 @@ namespace photopic {
 /// What a light tree knows of a branch, or of sixteen.
 template <typename T>
 struct LightBranch {
-  T power;         ///< of all lights: 1
+  T intensity;     ///< of all lights: 1
   Vec3<T> middle;  ///< of the sphere about the box
   T radius;        ///< of that [m]
   Vec3<T> axis;
@@ -19,9 +19,9 @@ struct LightBranch {
 /// Squared distance [m²] that keeps importances finite.
 inline constexpr float kLeastDistance2 = 1e-30f;
 
-/// What may arrive from each at most, roughly: power / distance² × the cosines at both ends, each at its most
-/// favourable within the sphere about the box: Conty Estevez & Kulla 2018, section 4.2. Where the sphere lies
-/// below the surface's plane, nothing. Of sixteen branches at one point, or of one at sixteen.
+/// What may arrive from each at most, roughly: intensity / distance² × the cosines at both ends, each at its
+/// most favourable within the sphere about the box: Conty Estevez & Kulla 2018, section 4.2. Where the sphere
+/// lies below the surface's plane, nothing. Of sixteen branches at one point, or of one at sixteen.
 template <typename B, typename P>
 Lanes importance(const LightBranch<B>& branch, const BasicLightReference<P>& at) {
   const Lanes zero{}, one = zero + 1.0f;
@@ -48,7 +48,7 @@ Lanes importance(const LightBranch<B>& branch, const BasicLightReference<P>& at)
   const Lanes cos_b = one - select(cos_x < 0.0f, sin2_b, 0.5f * sin2_b);
   const Lanes cos_light = select(inside | (cos_x >= cos_b), one, min(cos_x * cos_b + sin_x * sin_b, one));
   const Lanes shines = select(cos_light > branch.cos_e, max(cos_light, zero), zero);
-  return branch.power * cos_surface * shines * (inverse * inverse);
+  return branch.intensity * cos_surface * shines * (inverse * inverse);
 }
 
 }  // namespace photopic

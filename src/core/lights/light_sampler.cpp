@@ -26,6 +26,7 @@ double balance(double bounded, double unbounded) {
   return share / (1.0 - share) * bounded / unbounded;
 }
 
+/// Of a light with a flux of 1.
 LightBounds bounds_of(const AreaLight& light) {
   const Vec3f a = light.vertex, b = a + light.edge1, c = a + light.edge2;
   const Vec3f d = light.parallelogram ? b + light.edge2 : a;
@@ -39,6 +40,7 @@ LightBounds bounds_of(const AreaLight& light) {
           .axis = light.normal,
           .cos_o = 1.0f,
           .cos_e = 0.0f,
+          .intensity = light.double_sided ? 0.5f / kPi : 1.0f / kPi,
           .two_sided = light.double_sided};
 }
 
@@ -52,7 +54,8 @@ LightBounds bounds_of(const PunctualLight& light) {
           .high = light.position,
           .axis = light.direction,
           .cos_o = spot ? light.cos_inner : -1.0f,
-          .cos_e = spot ? std::min(std::cos(rim), kWidestCosine) : -1.0f};
+          .cos_e = spot ? std::min(std::cos(rim), kWidestCosine) : -1.0f,
+          .intensity = static_cast<float>(light.intensity / light.power(0.0))};
 }
 
 }  // namespace
@@ -137,7 +140,7 @@ void LightSampler::make_group(Group& group, std::span<const std::uint32_t> membe
       places_[i] = {entry, static_cast<std::uint32_t>(bounds.size())};
       names.push_back(i);
       bounds.push_back(bounds_of(i));
-      bounds.back().power = static_cast<float>(weight[i]);
+      bounds.back().intensity *= static_cast<float>(weight[i]);
       entries[entry] += weight[i];
     }
     group.tree = LightTree(bounds, names);

@@ -7,7 +7,7 @@ namespace photopic {
 namespace {
 
 /// Clusters whose normals lie within 26° and whose radius is below a quarter of the distance are chosen from
-/// by power alone: more would cost more than it tells.
+/// by intensity alone: more would cost more than it tells.
 constexpr float kNarrowCone = 0.9f;
 constexpr float kSmall2 = 0.06f;
 
@@ -20,11 +20,11 @@ constexpr double kLeastCost = 1e-6;
 LightBranch<float> LightTree::Node::branch(std::uint32_t i) const {
   const auto& b = branches;
   const auto k = static_cast<int>(i);
-  return {b.power[i], lane(b.middle, k), b.radius[i], lane(b.axis, k),
-          b.cos_o[i], b.sin_o[i],        b.cos_e[i],  b.other_side[i]};
+  return {b.intensity[i], lane(b.middle, k), b.radius[i], lane(b.axis, k),
+          b.cos_o[i],     b.sin_o[i],        b.cos_e[i],  b.other_side[i]};
 }
 
-/// Whether a branch's lights are seen so alike that their power alone may choose among them.
+/// Whether a branch's lights are seen so alike that their intensity alone may choose among them.
 bool LightTree::Node::seen_alike(std::uint32_t i, Vec3f from) const {
   const Vec3f to_middle = lane(branches.middle, static_cast<int>(i)) - from;
   return cluster[i] != kNoCluster && sqr(branches.radius[i]) < kSmall2 * dot(to_middle, to_middle);
@@ -33,7 +33,7 @@ bool LightTree::Node::seen_alike(std::uint32_t i, Vec3f from) const {
 /// Fills nodes from clusters of lights; a stack instead of recursion, for lists as long as they like.
 struct LightTree::Build {
   const std::vector<LightBounds>& lights;
-  double total_power;
+  double total_intensity;
 
   /// Opens the costliest until the node is full, but below the root none that fills a node of its own: full
   /// nodes are few nodes.
@@ -63,9 +63,9 @@ struct LightTree::Build {
     return list;
   }
 
-  double power(std::span<const std::uint32_t> members) const {
+  double intensity(std::span<const std::uint32_t> members) const {
     double sum = 0.0;
-    for (const std::uint32_t i : members) sum += double{lights[i].power};
+    for (const std::uint32_t i : members) sum += double{lights[i].intensity};
     return sum;
   }
 
@@ -76,13 +76,13 @@ struct LightTree::Build {
     n.radius[i] = length((b.high - b.low) * 0.5f);
     set_lane(n.axis, static_cast<int>(i), b.axis);
     n.cos_o[i] = b.cos_o, n.sin_o[i] = safe_sqrt(1.0f - sqr(b.cos_o)), n.cos_e[i] = b.cos_e;
-    n.power[i] = static_cast<float>(power(cluster.members) / total_power);
+    n.intensity[i] = static_cast<float>(intensity(cluster.members) / total_intensity);
     n.other_side[i] = b.two_sided ? -1.0f : 1.0f;
   }
 
   AliasTable table(std::span<const std::uint32_t> members) const {
     std::vector<double> weights;
-    for (const std::uint32_t i : members) weights.push_back(double{lights[i].power});
+    for (const std::uint32_t i : members) weights.push_back(double{lights[i].intensity});
     return AliasTable(weights);
   }
 };
@@ -92,7 +92,7 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
   std::vector<std::uint32_t> order(lights.size());
   std::iota(order.begin(), order.end(), 0u);
   Build build{lights, 0.0};
-  build.total_power = build.power(order);
+  build.total_intensity = build.intensity(order);
   const auto name_of = [&](std::uint32_t light) { return names.empty() ? light : names[light]; };
 
   struct Pending {
@@ -135,16 +135,16 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
 }
 
 float LightTree::probability(const LightReference& at, std::uint32_t light) const {
-  // Up to the root, where whatever is chosen within a cluster by power begins anew.
+  // Up to the root, where whatever is chosen within a cluster by intensity begins anew.
   Place place = place_of_light_[light];
-  const float power = nodes_[place / kWidth].branches.power[place % kWidth];
+  const float intensity = nodes_[place / kWidth].branches.intensity[place % kWidth];
   float probability = 1.0f;
   while (place != kRoot) {
     const Node& n = nodes_[place / kWidth];
     const Place above = place_of_node_[place / kWidth];
     const Node& parent = nodes_[above == kRoot ? 0 : above / kWidth];
     if (above != kRoot && parent.seen_alike(above % kWidth, at.position)) {
-      probability = power / parent.branches.power[above % kWidth];
+      probability = intensity / parent.branches.intensity[above % kWidth];
     } else {
       const Lanes weight = importance(n.branches, at);
       float total = 0.0f;

@@ -16,7 +16,7 @@ namespace photopic {
 class LightTree {
  public:
   LightTree() = default;
-  /// @param lights of power > 0, at least one
+  /// @param lights of intensity > 0, at least one
   /// @param names what choose() calls them; by default their indices
   explicit LightTree(const std::vector<LightBounds>& lights, std::span<const std::uint32_t> names = {});
 
@@ -42,18 +42,19 @@ class LightTree {
   static constexpr std::uint32_t kWidth = kLanes;
   static constexpr std::uint32_t kNoCluster = ~0u;
 
-  /// Branches that are missing have no power.
+  /// Branches that are missing have no intensity.
   struct Node {
     LightBranch<Lanes> branches{};
-    IntLanes child{};                              ///< a node, or ~light
-    UintLanes cluster = UintLanes{} + kNoCluster;  ///< of lights so alike that power may choose among them
+    IntLanes child{};  ///< a node, or ~light
+    UintLanes cluster =
+        UintLanes{} + kNoCluster;  ///< of lights so alike that intensity may choose among them
 
     LightBranch<float> branch(std::uint32_t lane) const;
     bool seen_alike(std::uint32_t lane, Vec3f from) const;
   };
-  /// A branch's lights, to be chosen by power.
+  /// A branch's lights, to be chosen by intensity.
   struct Cluster {
-    AliasTable by_power;
+    AliasTable by_intensity;
     std::uint32_t first;  ///< in lights_in_order_
   };
   struct Build;

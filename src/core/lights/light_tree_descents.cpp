@@ -23,7 +23,7 @@ class LightTree::Descents {
   void draw() { draw(weigh_nodes(), kWidth); }
 
   /// Lights of the clusters reached.
-  void draw_by_power() const;
+  void draw_by_intensity() const;
 
  private:
   LaneMatrix weigh_root() const;
@@ -105,7 +105,7 @@ bool LightTree::Descents::go_on() {
     if (child < 0) continue;
     if (node.seen_alike(branch, lane(at_.position, static_cast<int>(k)))) {
       const Cluster& cluster = tree_.clusters_[node.cluster[branch]];
-      cluster.by_power.prefetch(u_[k]);
+      cluster.by_intensity.prefetch(u_[k]);
       at_clusters_[cluster_count_++] = {k, &cluster, u_[k]};
       continue;
     }
@@ -118,12 +118,12 @@ bool LightTree::Descents::go_on() {
   return count_ > 0;
 }
 
-void LightTree::Descents::draw_by_power() const {
+void LightTree::Descents::draw_by_intensity() const {
   for (std::size_t j = 0; j < cluster_count_; ++j) {
     auto [k, cluster, u] = at_clusters_[j];
-    const std::uint32_t i = cluster->by_power.sample(u);
+    const std::uint32_t i = cluster->by_intensity.sample(u);
     choices_[k].light = tree_.lights_in_order_[cluster->first + i];
-    choices_[k].probability *= cluster->by_power.probability(i);
+    choices_[k].probability *= cluster->by_intensity.probability(i);
   }
 }
 
@@ -131,7 +131,7 @@ void LightTree::choose(const BasicLightReference<Lanes>& at, const DoubleLanes& 
                        std::span<const std::uint32_t> wanted, Choices& choices) const {
   Descents descents(*this, at, u, wanted, choices);
   while (descents.go_on()) descents.draw();
-  descents.draw_by_power();
+  descents.draw_by_intensity();
 }
 
 LightTree::Choice LightTree::choose(const LightReference& at, double u) const {

@@ -135,6 +135,34 @@ TEST(LightSampler, SpotsWithHardEdges) {
   }
 }
 
+/// Lights on a ring about the place that they shine on, all of one intensity: a narrow spot among points,
+/// with a small part of their flux, is chosen as often as they are.
+TEST(LightSampler, NarrowSpotsCountWithinTheirBeams) {
+  Scene scene = three_lamps(true).build();
+  for (Material& m : scene.materials) m.emission_luminance = 0.0f;
+  constexpr int kLights = 64, kSpot = 17;
+  for (int i = 0; i < kLights; ++i) {
+    const float angle = 2.0f * kPi * static_cast<float>(i) / kLights;
+    const Vec3f to_middle{-std::cos(angle), -std::sin(angle), 0.0f};
+    scene.punctual_lights.push_back(
+        {.kind = i == kSpot ? PunctualLight::Kind::spot : PunctualLight::Kind::point,
+         .position = -to_middle,
+         .direction = to_middle,
+         .cos_inner = std::cos(0.05f),
+         .cos_outer = std::cos(0.06f),
+         .intensity = 3.0f,
+         .emission_spectrum = 0});
+  }
+  const LightSampler lights(scene);
+  constexpr int kSamples = 1 << 14;
+  int spots = 0;
+  for (int i = 0; i < kSamples; ++i) {
+    const auto s = lights.sample({{}, {}}, {}, (i + 0.5) / kSamples, {});
+    if (s && s->end == scene.punctual_lights[kSpot].position) ++spots;
+  }
+  EXPECT_NEAR(spots * kLights / double{kSamples}, 1.0, 0.5);
+}
+
 /// Of two spectra, where one is chosen first.
 std::vector<float> some_probabilities(const LightSampler& lights) {
   if (!lights.several_spectra()) return {};

@@ -26,7 +26,7 @@ std::vector<LightBounds> strewn(std::uint32_t count) {
   for (std::uint32_t i = 0; i < count; ++i) {
     const Vec3f p = random_point(1, i == 1 ? 0 : i), axis = normalize(random_point(2, i));
     LightBounds b{.low = p, .high = p + Vec3f{0.1f, 0.05f, 0.0f}, .axis = axis};
-    b.power = 0.001f + random(3, i);
+    b.intensity = 0.001f + random(3, i);
     b.two_sided = i % 5 == 0;
     if (i % 7 == 0) b.cos_o = -1.0f, b.cos_e = -1.0f, b.high = p;  // a point
     if (i % 7 == 1) b.cos_e = 0.8f, b.high = p;                    // a spot
@@ -75,7 +75,7 @@ TEST(LightTree, ChoicesFollowTheProbabilities) {
   }
 }
 
-/// A wall of lamps, from close by and from so far that its patches are chosen from by power alone.
+/// A wall of lamps, from close by and from so far that its patches are chosen from by intensity alone.
 TEST(LightTree, PatchesSeenAlike) {
   constexpr std::uint32_t kSide = 30, kLights = kSide * kSide, kSamples = 200000;
   std::vector<LightBounds> lights;
@@ -83,7 +83,7 @@ TEST(LightTree, PatchesSeenAlike) {
   for (std::uint32_t i = 0; i < kLights; ++i) {
     const Vec3f p{0.1f * static_cast<float>(i % kSide), 0.1f * static_cast<float>(i / kSide), 0.0f};
     lights.push_back({.low = p, .high = p + Vec3f{0.1f, 0.1f, 0.0f}, .axis = {0, 0, 1}});
-    lights.back().power = 0.01f + random(3, i);
+    lights.back().intensity = 0.01f + random(3, i);
     names.push_back(5 + 3 * i);
   }
   const LightTree tree(lights, names);
@@ -155,7 +155,7 @@ TEST(LightTree, SpotsReachWhatIsCloseToThem) {
     const Vec3f pair{50.0f * static_cast<float>(i / 8), 0, 50.0f * static_cast<float>(i / 2 % 4)};
     const Vec3f p = pair + Vec3f{0.819f, 0.574f, 0} * (i % 2 ? 1.0f : -1.0f);
     lights.push_back(
-        {.low = p, .high = p, .axis = {0, -1, 0}, .cos_o = 1.0f, .cos_e = 0.707f, .power = 1.0f});
+        {.low = p, .high = p, .axis = {0, -1, 0}, .cos_o = 1.0f, .cos_e = 0.707f, .intensity = 1.0f});
   }
   const LightTree tree(lights);
   for (std::uint32_t i = 0; i < 32; ++i)
@@ -169,7 +169,7 @@ TEST(LightTree, NearAndFacingLightsAreFavoured) {
   std::vector<LightBounds> lights;
   for (int i = 0; i < 100; ++i) {
     const Vec3f p{static_cast<float>(i), 0, 2};
-    lights.push_back({.low = p, .high = p, .axis = {0, 0, i % 2 ? 1.0f : -1.0f}, .power = 1.0f});
+    lights.push_back({.low = p, .high = p, .axis = {0, 0, i % 2 ? 1.0f : -1.0f}, .intensity = 1.0f});
   }
   const LightTree tree(lights);
   const LightReference at{{20.0f, 0, 0}, {0, 0, 1}};
@@ -179,7 +179,8 @@ TEST(LightTree, NearAndFacingLightsAreFavoured) {
 }
 
 TEST(LightTree, ManyLightsAtOnePlace) {
-  std::vector<LightBounds> lights(1000, {.axis = {0, 0, 1}, .cos_o = -1.0f, .cos_e = -1.0f, .power = 0.5f});
+  std::vector<LightBounds> lights(1000,
+                                  {.axis = {0, 0, 1}, .cos_o = -1.0f, .cos_e = -1.0f, .intensity = 0.5f});
   const LightTree tree(lights);
   EXPECT_NEAR(tree.probability({{1, 2, 3}, {}}, 77), 1e-3f, 1e-6f);
   EXPECT_NEAR(tree.probability({{0, 0, 0}, {}}, 77), 1e-3f, 1e-6f);  // even from inside
@@ -193,7 +194,7 @@ TEST(LightTree, ExtremePowersAndSizes) {
       std::vector<LightBounds> lights = strewn(100);
       for (LightBounds& b : lights) {
         b.low = b.low * scale, b.high = b.high * scale;
-        b.power *= power;
+        b.intensity *= power;
       }
       const LightTree tree(lights);
       for (std::uint32_t k = 0; k < 20; ++k) {
@@ -219,7 +220,8 @@ TEST(LightTree, EndsOfTheUnitInterval) {
   std::vector<LightBounds> lights;
   for (int i = 0; i < 40; ++i) {
     const Vec3f p{static_cast<float>(i), 0, 2};
-    lights.push_back({.low = p, .high = p, .axis = {0, 0, i > 4 && i < 35 ? -1.0f : 1.0f}, .power = 1.0f});
+    lights.push_back(
+        {.low = p, .high = p, .axis = {0, 0, i > 4 && i < 35 ? -1.0f : 1.0f}, .intensity = 1.0f});
   }
   const LightTree tree(lights);
   for (double u : {0.0, 0x1p-33, 0.5, 1.0 - 0x1p-33, 1.0 - 0x1p-53}) {
@@ -233,8 +235,10 @@ TEST(LightTree, EndsOfTheUnitInterval) {
 /// The union of two cones holds both.
 TEST(LightTree, UnionsHoldBoth) {
   for (std::uint32_t k = 0; k < 500; ++k) {
-    const LightBounds a{.axis = normalize(random_point(20, k)), .cos_o = random(21, k) * 2 - 1, .power = 1};
-    const LightBounds b{.axis = normalize(random_point(22, k)), .cos_o = random(23, k) * 2 - 1, .power = 1};
+    const LightBounds a{
+        .axis = normalize(random_point(20, k)), .cos_o = random(21, k) * 2 - 1, .intensity = 1};
+    const LightBounds b{
+        .axis = normalize(random_point(22, k)), .cos_o = random(23, k) * 2 - 1, .intensity = 1};
     const LightBounds both = unite(a, b);
     const double angle = std::acos(both.cos_o);
     for (const LightBounds& part : {a, b}) {
