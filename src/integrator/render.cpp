@@ -10,6 +10,7 @@
 #include "integrator/naive_path.h"
 #include "integrator/path_stages.h"
 #include "integrator/tile.h"
+#include "spectral/illuminants.h"
 
 namespace photopic {
 namespace {
@@ -34,6 +35,12 @@ class FlushDenormals {
  private:
   unsigned saved_;
 };
+
+/// D65 at Y = 1.
+Xyz white_of(const Observer& observer) {
+  const Xyz d65 = emission_xyz(cie_illuminant("D65").value(), observer);
+  return d65 * (1.0 / d65.y);
+}
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -65,7 +72,7 @@ class TileRenderer {
       });
       if (second_film_ && last >= next_look) {
         std::erase_if(active, [&](const Tile& tile) {
-          const auto error = expected_delta_e(film_, *second_film_, tile);
+          const auto error = expected_delta_e(film_, *second_film_, tile, white_);
           return error && *error <= options_.target_error;
         });
         next_look = static_cast<int>(kNextLook * last);
@@ -114,7 +121,7 @@ class TileRenderer {
     for (const Tracer& tracer : tracers_) stats += tracer.stats();
     stats.stopped = interrupted();
     if (second_film_) {
-      stats.expected_delta_e = expected_delta_e(film_, *second_film_, tiles_);
+      stats.expected_delta_e = expected_delta_e(film_, *second_film_, tiles_, white_);
       film_ += *second_film_;
     }
     stats.seconds = seconds_since(start_);
@@ -127,6 +134,7 @@ class TileRenderer {
   const std::vector<Tile> tiles_;
   tbb::enumerable_thread_specific<Tracer> tracers_;
   Film film_;
+  const Xyz white_ = white_of(*options_.observer);
   std::optional<Film> second_film_;  ///< of every other run of samples, where the error is asked for
 };
 

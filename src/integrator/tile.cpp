@@ -37,8 +37,7 @@ std::vector<PathKey> tile_paths(const Tile& tile, int film_width, int first, int
   return paths;
 }
 
-std::optional<double> expected_delta_e(const Film& a, const Film& b, const Tile& tile) {
-  const Xyz white = d65_white();
+std::optional<double> expected_delta_e(const Film& a, const Film& b, const Tile& tile, Xyz white) {
   double sum = 0.0;
   int known = 0;
   for (int y = tile.y0; y < tile.y1; ++y) {
@@ -55,11 +54,12 @@ std::optional<double> expected_delta_e(const Film& a, const Film& b, const Tile&
   return sum / known;
 }
 
-std::optional<double> expected_delta_e(const Film& a, const Film& b, const std::vector<Tile>& tiles) {
+std::optional<double> expected_delta_e(const Film& a, const Film& b, const std::vector<Tile>& tiles,
+                                       Xyz white) {
   double sum = 0.0;
   int pixels = 0;
   for (const Tile& tile : tiles) {
-    const auto error = expected_delta_e(a, b, tile);
+    const auto error = expected_delta_e(a, b, tile, white);
     if (!error) return std::nullopt;
     sum += *error * tile.pixel_count();
     pixels += tile.pixel_count();

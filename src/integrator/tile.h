@@ -18,13 +18,14 @@ std::vector<Tile> film_tiles(const PixelWindow& window);
 /// neighbours in a batch look at nearly the same thing.
 std::vector<PathKey> tile_paths(const Tile& tile, int film_width, int first, int last);
 
-/// The mean ΔE (CIEDE2000, D65 at Y = 1) to be expected between all samples of two films and the truth, over
+/// The mean ΔE (CIEDE2000) to be expected between all samples of two films and the truth, over
 /// a tile's pixels that have samples in both. The films' estimates are independent: of m and n samples they
 /// are √(1/m + 1/n) apart, in units in which all are √(1/(m + n)) from the truth.
-/// @return nothing where no pixel has samples in both
-std::optional<double> expected_delta_e(const Film& a, const Film& b, const Tile& tile);
+/// @param white D65 (Y = 1) as the films' observer sees it @return nothing where no pixel has samples in both
+std::optional<double> expected_delta_e(const Film& a, const Film& b, const Tile& tile, Xyz white);
 
 /// The same over tiles; nothing where one of them has nothing.
-std::optional<double> expected_delta_e(const Film& a, const Film& b, const std::vector<Tile>& tiles);
+std::optional<double> expected_delta_e(const Film& a, const Film& b, const std::vector<Tile>& tiles,
+                                       Xyz white);
 
 }  // namespace photopic

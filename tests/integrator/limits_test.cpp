@@ -21,23 +21,24 @@ TEST(TileError, IsHalfTheDistanceOfTheFilms) {
   const double s = 1.0 + 0.015 * 25.0 / std::sqrt(20.0 + 25.0);  // S_L of CIEDE2000 at a mean L* of 55
   const std::vector<Tile> tiles = film_tiles({0, 0, 20, 4});
   ASSERT_EQ(tiles.size(), 2u);
-  EXPECT_NEAR(expected_delta_e(a, b, tiles[0]).value(), 0.5 * 10.0 / s, 1e-9);
-  EXPECT_NEAR(expected_delta_e(a, b, tiles[1]).value(), 0.0, 1e-9);
+  EXPECT_NEAR(expected_delta_e(a, b, tiles[0], d65_white()).value(), 0.5 * 10.0 / s, 1e-9);
+  EXPECT_NEAR(expected_delta_e(a, b, tiles[1], d65_white()).value(), 0.0, 1e-9);
 
   // Of 3 samples to 1 the distance is 2/√3 times as large, and the mean of all nearer to the three.
   for (std::size_t i = 0; i < 80; ++i) a.add(i, grey(60)), a.add(i, grey(60));
-  EXPECT_NEAR(expected_delta_e(a, b, tiles[0]).value(), std::sqrt(3.0) / 4.0 * 10.0 / s, 1e-9);
-  EXPECT_NEAR(expected_delta_e(a, b, tiles).value(), 0.8 * std::sqrt(3.0) / 4.0 * 10.0 / s, 1e-9);
+  EXPECT_NEAR(expected_delta_e(a, b, tiles[0], d65_white()).value(), std::sqrt(3.0) / 4.0 * 10.0 / s, 1e-9);
+  EXPECT_NEAR(expected_delta_e(a, b, tiles, d65_white()).value(), 0.8 * std::sqrt(3.0) / 4.0 * 10.0 / s,
+              1e-9);
 }
 
 TEST(TileError, IsNotKnownOfOneFilm) {
   Film a(20, 4), b(20, 4);
   const std::vector<Tile> tiles = film_tiles({0, 0, 20, 4});
   for (std::size_t i = 0; i < 80; ++i) a.add(i, d65_white());
-  EXPECT_FALSE(expected_delta_e(a, b, tiles[0]));
+  EXPECT_FALSE(expected_delta_e(a, b, tiles[0], d65_white()));
   b.add(0, d65_white());  // a pixel that lost its samples does not count
-  EXPECT_EQ(expected_delta_e(a, b, tiles[0]).value(), 0.0);
-  EXPECT_FALSE(expected_delta_e(a, b, tiles));
+  EXPECT_EQ(expected_delta_e(a, b, tiles[0], d65_white()).value(), 0.0);
+  EXPECT_FALSE(expected_delta_e(a, b, tiles, d65_white()));
 }
 
 /// Against a reference of many samples: the error reached is the one asked for, by its own estimate and in
