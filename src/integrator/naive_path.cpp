@@ -106,8 +106,8 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     });
     if (!next) break;
     throughput *= next->weight;
-    stats_.split_paths += next->split;
     if (throughput.is_black()) break;
+    stats_.split_paths += next->split;
     ray = {next->origin, next->direction};
     media.go_on(next->inwards);
   }

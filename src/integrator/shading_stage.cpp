@@ -164,8 +164,8 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
   if (depth >= kRouletteDepth)
     throughput =
         throughput * roulette_gain(throughput, eta_scale, stream.get_1d(bounce_dimension(depth, kRoulette)));
-  const IntLanes sampled = samples.found & vertices.sides_agree(wi, samples.wi.z),
-                 go_on = sampled & ~throughput.is_black(), inwards = vertices.is_inwards(wi);
+  const IntLanes go_on = samples.found & vertices.sides_agree(wi, samples.wi.z) & ~throughput.is_black(),
+                 inwards = vertices.is_inwards(wi);
 
   const LaneSpectra<N> by_path = by_lane(throughput);
   const auto origins = rows_of(origin), directions = rows_of(wi),
@@ -181,7 +181,7 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
     if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(lane(inwards, i));
     batch.active.push(slot);
   });
-  return static_cast<std::uint64_t>(std::popcount(bits_of(sampled & samples.split)));
+  return static_cast<std::uint64_t>(std::popcount(bits_of(go_on & samples.split)));
 }
 
 #define PHOTOPIC_LOOP(N, features) template class ShadingStage<N, features>;
