@@ -125,6 +125,12 @@ int best_border(const Buckets& buckets) {
 
 }  // namespace
 
+bool is_beam(const LightBounds& light) {
+  constexpr float kNarrow = 0.5f;  // cosine
+  const float o = light.cos_o, e = light.cos_e;
+  return o > 0.0f && o * e - safe_sqrt(1.0f - sqr(o)) * safe_sqrt(1.0f - sqr(e)) > kNarrow;
+}
+
 LightBounds unite(const LightBounds& a, const LightBounds& b) {
   if (a.intensity == 0.0f) return b;
   if (b.intensity == 0.0f) return a;
@@ -146,6 +152,11 @@ LightCluster::LightCluster(std::span<std::uint32_t> its, const LightBounds& arou
 
 std::array<LightCluster, 2> split(const LightCluster& cluster, const std::vector<LightBounds>& lights) {
   const std::span<std::uint32_t> all = cluster.members;
+  // With others in their cluster beams would seem to shine everywhere.
+  const auto rest =
+      std::partition(all.begin(), all.end(), [&](std::uint32_t i) { return is_beam(lights[i]); });
+  if (const auto beams = static_cast<std::size_t>(rest - all.begin()); beams > 0 && beams < all.size())
+    return {LightCluster(lights, all.first(beams)), LightCluster(lights, all.subspan(beams))};
   if (const Division division(lights, all); division.possible()) {
     const Buckets buckets = division.fill(all);
     const int border = best_border(buckets);

@@ -17,11 +17,14 @@ struct LightBounds {
   Vec3f axis{};            ///< unit
   float cos_o = 1.0f;      ///< −1: normals all around
   float cos_e = 0.0f;      ///< of π/2 for surfaces, π for points
-  float intensity = 0.0f;  ///< along the axis, up to a factor common to all
+  float intensity = 0.0f;  ///< root mean square over all directions, up to a factor common to all
   bool two_sided = false;  ///< shines along −axis too
 
   Vec3f middle() const { return (low + high) * 0.5f; }
 };
+
+/// Whether a light shines into a narrow cone alone.
+bool is_beam(const LightBounds& light);
 
 /// The smallest that holds both.
 LightBounds unite(const LightBounds& a, const LightBounds& b);
@@ -36,8 +39,8 @@ struct LightCluster {
   double cost;  ///< surface area orientation heuristic: the same paper, equation 1
 };
 
-/// Two halves of a cluster of two lights or more, none empty, of least cost as far as twelve buckets along
-/// the box's longest axis tell. Puts the members in order.
+/// Two halves of a cluster of two lights or more, none empty: beams and the rest, else those of least cost as
+/// far as twelve buckets along the box's longest axis tell. Puts the members in order.
 std::array<LightCluster, 2> split(const LightCluster& cluster, const std::vector<LightBounds>& lights);
 
 }  // namespace photopic

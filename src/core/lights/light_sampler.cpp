@@ -40,7 +40,7 @@ LightBounds bounds_of(const AreaLight& light) {
           .axis = light.normal,
           .cos_o = 1.0f,
           .cos_e = 0.0f,
-          .intensity = light.double_sided ? 0.5f / kPi : 1.0f / kPi,
+          .intensity = 1.0f / (kPi * std::sqrt(light.double_sided ? 12.0f : 6.0f)),
           .two_sided = light.double_sided};
 }
 
@@ -55,7 +55,7 @@ LightBounds bounds_of(const PunctualLight& light) {
           .axis = light.direction,
           .cos_o = spot ? light.cos_inner : -1.0f,
           .cos_e = spot ? std::min(std::cos(rim), kWidestCosine) : -1.0f,
-          .intensity = static_cast<float>(light.intensity / light.power(0.0))};
+          .intensity = static_cast<float>(light.rms_intensity() / light.power(0.0))};
 }
 
 }  // namespace

@@ -14,6 +14,12 @@ float rim(const PunctualLight& light) {
   return std::max(kNarrowestRim, light.cos_inner - light.cos_outer);
 }
 
+/// The mean over the sphere of what is 1 within a spot's inner cone and has a mean over the rim.
+double mean_over_sphere(const PunctualLight& spot, double mean_over_rim) {
+  const double width = std::min(rim(spot), 1.0f - spot.cos_outer), inside = 1.0 - spot.cos_outer - width;
+  return 0.5 * (inside + width * mean_over_rim);
+}
+
 }  // namespace
 
 float PunctualLight::attenuation(float cosine) const {
@@ -42,16 +48,17 @@ std::optional<LightSample> PunctualLight::sample(Vec3f from) const {
   return s;
 }
 
+double PunctualLight::rms_intensity() const {
+  return kind == Kind::spot ? intensity * std::sqrt(mean_over_sphere(*this, 1.0 / 5.0)) : intensity;
+}
+
 double PunctualLight::power(double scene_radius) const {
   constexpr double kPiD = std::numbers::pi;
   switch (kind) {
     case Kind::point:
       return 4.0 * kPiD * intensity;
-    case Kind::spot: {
-      // ∫ attenuation dω: a square law in the cosine over the rim, 1 inside.
-      const double width = std::min(rim(*this), 1.0f - cos_outer), inside = 1.0 - cos_outer - width;
-      return 2.0 * kPiD * intensity * (inside + width / 3.0);
-    }
+    case Kind::spot:  // over the rim the attenuation is a square law in the cosine
+      return 4.0 * kPiD * intensity * mean_over_sphere(*this, 1.0 / 3.0);
     case Kind::directional:
       return kPiD * scene_radius * scene_radius * intensity;
   }

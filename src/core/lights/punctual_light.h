@@ -26,6 +26,11 @@ struct PunctualLight {
   /// Nothing where it does not shine; the probability of choosing it is for the caller to fill in.
   std::optional<LightSample> sample(Vec3f from) const;
 
+  /// The root mean square over all directions [cd]; not of a directional light. By that a light is best
+  /// chosen where it is not known whether it shines there: of what is to be summed the variance is least when
+  /// terms are sampled in proportion to their root mean squares.
+  double rms_intensity() const;
+
   /// Luminous flux [lm]; of a directional light that through a disc of the radius [m].
   double power(double scene_radius) const;
 };

@@ -135,8 +135,28 @@ TEST(LightSampler, SpotsWithHardEdges) {
   }
 }
 
-/// Lights on a ring about the place that they shine on, all of one intensity: a narrow spot among points,
-/// with a small part of their flux, is chosen as often as they are.
+/// Flux and root mean square against sums over the cosine.
+TEST(PunctualLight, MomentsOfSpots) {
+  for (const auto& [inner, outer] : {std::pair{0.0f, 0.4f}, {0.3f, 0.31f}, {0.7f, 1.5f}, {0.05f, 0.06f}}) {
+    const PunctualLight spot{.kind = PunctualLight::Kind::spot,
+                             .cos_inner = std::cos(inner),
+                             .cos_outer = std::cos(outer),
+                             .intensity = 7.0f};
+    double flux = 0.0, square = 0.0;
+    constexpr int kSteps = 100'000;
+    const double step = (1.0 - double{spot.cos_outer}) / kSteps;
+    for (int i = 0; i < kSteps; ++i) {
+      const double value = 7.0 * double{spot.attenuation(static_cast<float>(1.0 - (i + 0.5) * step))};
+      flux += 2.0 * std::numbers::pi * value * step;
+      square += 0.5 * value * value * step;
+    }
+    EXPECT_NEAR(spot.power(0.0) / flux, 1.0, 1e-3) << inner;
+    EXPECT_NEAR(spot.rms_intensity() / std::sqrt(square), 1.0, 1e-3) << inner;
+  }
+}
+
+/// Lights on a ring about the place that they shine on, all of one intensity: a narrow spot among points is
+/// chosen by its root mean square, of which its beam has more than of its flux.
 TEST(LightSampler, NarrowSpotsCountWithinTheirBeams) {
   Scene scene = three_lamps(true).build();
   for (Material& m : scene.materials) m.emission_luminance = 0.0f;
@@ -160,7 +180,10 @@ TEST(LightSampler, NarrowSpotsCountWithinTheirBeams) {
     const auto s = lights.sample({{}, {}}, {}, (i + 0.5) / kSamples, {});
     if (s && s->end == scene.punctual_lights[kSpot].position) ++spots;
   }
-  EXPECT_NEAR(spots * kLights / double{kSamples}, 1.0, 0.5);
+  const PunctualLight& spot = scene.punctual_lights[kSpot];
+  const double expected = spot.rms_intensity() / double{spot.intensity};
+  EXPECT_GT(expected, 10.0 * spot.power(0.0) / scene.punctual_lights[0].power(0.0));
+  EXPECT_NEAR(spots * kLights / double{kSamples} / expected, 1.0, 0.3);
 }
 
 /// Of two spectra, where one is chosen first.
