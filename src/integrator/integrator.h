@@ -31,7 +31,7 @@ struct RenderOptions {
   const std::atomic<bool>* stop = nullptr;  ///< set by another thread or a signal: return what is done so far
   Progress* progress = nullptr;             ///< advanced by samples
   FurtherFilms further{};                   ///< fed as the film is; not by the oracle
-  bool time_stages = false;                 ///< fill RenderStats::stages; for benchmarks
+  StageWatch* watch = nullptr;              ///< told of stages by every thread; for benchmarks
 };
 
 struct RenderStats {
@@ -48,7 +48,6 @@ struct RenderStats {
   std::optional<double> expected_delta_e{};  ///< mean over the image; where a target_error was set and more
                                              ///< samples were taken than a stratified run
   bool stopped = false;                      ///< by RenderOptions::stop
-  StageSeconds stages{};                     ///< all 0 unless RenderOptions::time_stages
 
   RenderStats& operator+=(const RenderStats& other) {
     paths += other.paths;
@@ -59,7 +58,6 @@ struct RenderStats {
     media_slips += other.media_slips;
     non_finite += other.non_finite;
     non_finite_causes += other.non_finite_causes;
-    for (std::size_t i = 0; i < kStages; ++i) stages[i] += other.stages[i];
     return *this;
   }
 };
