@@ -11,6 +11,7 @@
 #include "integrator/media.h"
 #include "integrator/path_start.h"
 #include "integrator/slot_queue.h"
+#include "spectral/path_wavelengths.h"
 #include "spectral/rgb_light.h"
 
 namespace photopic {
