@@ -73,11 +73,6 @@ Hit Accel::intersect(const Ray& ray) const {
   return make_hit(hit.geomID, hit.primID, hit.instID[0], hit.u, hit.v, found.tfar);
 }
 
-bool Accel::occluded(const Ray& ray, float t_max) const {
-  if (!is_traceable(ray)) return false;
-  return tree_->occluded(make_ray(ray.origin, ray.direction, t_max));
-}
-
 double Accel::radius() const {
   if (ranges_.empty()) return 0.0;
   RTCBounds b;

@@ -68,7 +68,6 @@ class Accel {
                 std::span<std::uint8_t> blocked) const;
 
   Hit intersect(const Ray& ray) const;
-  bool occluded(const Ray& ray, float t_max) const;
 
   /// All triangles that a ray meets at 0 < t < t_max, each once, in no order.
   /// @return how many are stored in `found`: where there are more than it holds, those that came first

@@ -104,9 +104,4 @@ OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emission
           .solver_note = std::move(best.note)};
 }
 
-OptimizeResult optimize_distribution(const TabulatedSpectrum& emission, const OptimizeOptions& options,
-                                     const std::function<void(double)>& report) {
-  return optimize_distribution(std::span(&emission, 1), options, report);
-}
-
 }  // namespace photopic
