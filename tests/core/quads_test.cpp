@@ -150,6 +150,31 @@ TEST(Quads, BothTrianglesOfAPairAreCrossed) {
   EXPECT_NEAR(hits[0].t + hits[1].t, 4.0f, 1e-5f);
 }
 
+/// However many they are; where there is no room for all, as many as there is room for.
+TEST(Accel, EveryCrossingIsFoundOnce) {
+  constexpr std::uint32_t kSheets = 100;
+  Geometry g;
+  for (std::uint32_t i = 0; i < kSheets; ++i) {
+    const float z = static_cast<float>(i);
+    g.positions.insert(g.positions.end(), {{-1, -1, z}, {1, -1, z}, {0, 1, z}});
+    g.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  g.shapes = {{.first_triangle = 0, .triangle_count = kSheets}};
+  const std::vector<Surface> surfaces{Surface(Material{})};
+  const Accel accel(g, surfaces, nullptr, true);
+  const Ray ray{{0, 0, -1}, {0, 0, 1}};
+  std::vector<Hit> hits(2 * kSheets);
+  ASSERT_EQ(accel.crossings(ray, 200, hits), kSheets);
+  std::set<std::uint32_t> met;
+  for (const Hit& hit : std::span(hits).first(kSheets)) {
+    met.insert(hit.triangle);
+    EXPECT_NEAR(hit.t, static_cast<float>(hit.triangle) + 1.0f, 1e-4f);
+  }
+  EXPECT_EQ(met.size(), kSheets);
+  EXPECT_EQ(accel.crossings(ray, 40.5f, hits), 40u);
+  EXPECT_EQ(accel.crossings(ray, 200, std::span(hits).first(50)), 50u);
+}
+
 /// Where the vertices' alpha is below the cutoff, rays go through pairs of triangles as through one.
 TEST(Quads, CoverageIsThatOfTheTriangleHit) {
   Geometry g = wave(kManyCells);
