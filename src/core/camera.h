@@ -39,8 +39,12 @@ struct Camera {
   bool has_lens() const { return aperture_radius > 0.0f; }
 
   /// The pinhole's ray through film position (x, y) in pixels, (0, 0) the top left corner of the film.
-  Ray ray(float x, float y) const { return pinhole_ray(x, y); }
-  RayLanes ray(const Lanes& x, const Lanes& y) const { return pinhole_ray(x, y); }
+  template <typename T>
+  BasicRay<T> ray(T x, T y) const {
+    const Vec3<T> offset = film_offset(x, y), behind = broadcast<T>(back), eye = broadcast<T>(position);
+    if (orthographic()) return {eye + offset, -behind};
+    return {eye, normalize(offset - behind)};
+  }
 
   /// The ray through a point of the lens, drawn uniformly by u, to where the pinhole's meets the plane of
   /// focus.
@@ -53,13 +57,6 @@ struct Camera {
   }
 
  private:
-  template <typename T>
-  BasicRay<T> pinhole_ray(T x, T y) const {
-    const Vec3<T> offset = film_offset(x, y), behind = broadcast<T>(back), eye = broadcast<T>(position);
-    if (orthographic()) return {eye + offset, -behind};
-    return {eye, normalize(offset - behind)};
-  }
-
   /// From the view's middle, in the plane at distance 1 or, orthographic, of the camera itself.
   template <typename T>
   Vec3<T> film_offset(T x, T y) const {

@@ -32,7 +32,7 @@ Vec3f at_depth(const Camera& camera, const Ray& ray, float depth) {
 TEST(Camera, OrthographicPixelsAreSquaresOfOneSize) {
   Camera c = looking_sideways();
   c.half_height = 1.5f;  // 3 m over 30 pixels
-  const Ray middle = c.ray(20, 15), corner = c.ray(0, 0), next = c.ray(1, 1);
+  const Ray middle = c.ray(20.0f, 15.0f), corner = c.ray(0.0f, 0.0f), next = c.ray(1.0f, 1.0f);
   expect_near(middle.origin, c.position);
   for (const Ray& ray : {middle, corner, next}) EXPECT_EQ(ray.direction, (Vec3f{1, 0, 0}));
   expect_near(corner.origin - middle.origin, c.right * -2.0f + c.up * 1.5f);
@@ -48,7 +48,7 @@ TEST(Camera, CircleOfConfusion) {
     c.aperture_radius = 0.05f, c.focus_distance = 4.0f;
     for (const float depth : {1.0f, 3.0f, 4.0f, 10.0f}) {
       const float radius = c.aperture_radius * std::abs(depth - c.focus_distance) / c.focus_distance;
-      const Vec3f sharp = at_depth(c, c.ray(31, 4), depth);
+      const Vec3f sharp = at_depth(c, c.ray(31.0f, 4.0f), depth);
       EXPECT_NEAR(-dot(sharp - c.position, c.back), depth, 1e-4f);
       double mean_square = 0.0;
       float largest = 0.0f;
@@ -132,7 +132,7 @@ TEST_F(GltfCamera, OrthographicWhateverTheNodesScale) {
   EXPECT_EQ(c.half_height, 1.5f);
   EXPECT_EQ(c.width, 640);
   EXPECT_EQ(c.height, 320);
-  EXPECT_NEAR(c.ray(0, 0).origin.x, -3.0f, 1e-5f);
+  EXPECT_NEAR(c.ray(0.0f, 0.0f).origin.x, -3.0f, 1e-5f);
   for (const char* mag : {"0", "1e-300"}) {
     const std::string text = refusal(
         with_camera(

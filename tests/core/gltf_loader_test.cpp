@@ -175,7 +175,7 @@ TEST_F(GltfTest, CamerasByNameAndResolution) {
   EXPECT_FLOAT_EQ(far.tan_half_yfov, std::tan(0.25f));
   expect_near(far.back, {1, 0, 0});  // looks down −x after a quarter turn about y
   expect_near(far.up, {0, 1, 0});
-  expect_near(far.ray(15, 10).direction, {-1, 0, 0});
+  expect_near(far.ray(15.0f, 10.0f).direction, {-1, 0, 0});
   EXPECT_EQ(load(file.str(), {.camera = "far", .width = 8, .height = 4}).camera.width, 8);
   EXPECT_NE(refusal(file.str(), {.camera = "fra"}).find("\"near\", \"far\""), std::string::npos);
 }

@@ -8,10 +8,10 @@
 namespace photopic {
 
 AreaLightLanes::AreaLightLanes(const AreaLight& light)
-    : vertex(to_lanes(light.vertex)),
-      edge1(to_lanes(light.edge1)),
-      edge2(to_lanes(light.edge2)),
-      normal(to_lanes(light.normal)),
+    : vertex(broadcast<Lanes>(light.vertex)),
+      edge1(broadcast<Lanes>(light.edge1)),
+      edge2(broadcast<Lanes>(light.edge2)),
+      normal(broadcast<Lanes>(light.normal)),
       area(Lanes{} + light.area),
       error(Lanes{} + light.error),
       triangle(UintLanes{} + light.triangle),

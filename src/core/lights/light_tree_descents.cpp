@@ -136,7 +136,8 @@ void LightTree::choose(const BasicLightReference<Lanes>& at, const DoubleLanes& 
 
 LightTree::Choice LightTree::choose(const LightReference& at, double u) const {
   Choices choices;
-  choose({to_lanes(at.position), to_lanes(at.normal)}, DoubleLanes{} + u, std::array{0u}, choices);
+  choose({broadcast<Lanes>(at.position), broadcast<Lanes>(at.normal)}, DoubleLanes{} + u, std::array{0u},
+         choices);
   return choices[0];
 }
 
