@@ -89,7 +89,8 @@ OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emission
 
   std::optional<OnBase> found;
   for (const double share : shares) {
-    OnBase next = search_with(base_density(targets.mixed, 0.02, share), targets, settings, progress);
+    OnBase next =
+        search_with(base_density(targets.mixed, kDefensiveShare, share), targets, settings, progress);
     if (!found || next.best.distribution.value < found->best.distribution.value) found = std::move(next);
   }
   Selected& best = found->best;

@@ -69,7 +69,7 @@ std::shared_ptr<const EstimateLoss> loss_for(const std::string& name) {
   if (!table) throw std::invalid_argument(name + " is no CIE illuminant");
   const TabulatedSpectrum lamp = tabulate_emission(*table);
   const Targets targets{Objective::asymptotic, White::d65, lamp, {lamp}, target_reflectances(48, 1)};
-  return std::make_shared<const EstimateLoss>(targets, base_density(lamp, 0.02, 0.3));
+  return std::make_shared<const EstimateLoss>(targets, base_density(lamp, kDefensiveShare, 0.3));
 }
 
 /// When an algorithm must end.
