@@ -1,28 +1,9 @@
 #pragma once
 
-#include "core/math.h"
+#include "core/ray.h"
 #include "core/sampling.h"
 
 namespace photopic {
-
-/// A ray with a unit direction; t is in metres along it.
-template <typename T>
-struct BasicRay {
-  Vec3<T> origin;
-  Vec3<T> direction;
-};
-using Ray = BasicRay<float>;
-using RayLanes = BasicRay<Lanes>;
-
-/// How far coordinates of rays may go [m]: Embree takes 1.8e18, of instances in the space of their prototype.
-inline constexpr float kFarthest = 3e13f;
-
-/// Whether a ray can be traced: it is finite and not too far away.
-template <typename T>
-auto is_traceable(const BasicRay<T>& ray) {
-  const auto extent = [](const Vec3<T>& a) { return abs(a.x) + abs(a.y) + abs(a.z); };
-  return extent(ray.origin) + extent(ray.direction) < kFarthest;
-}
 
 /// glTF's cameras: look down −z, +y up, square pixels; perspective or orthographic, with a pinhole or a thin
 /// lens (Pharr et al. 2023, section 5.2.3).

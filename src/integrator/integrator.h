@@ -37,7 +37,8 @@ struct RenderOptions {
 struct RenderStats {
   double seconds = 0;  ///< wall clock
   std::uint64_t paths = 0;
-  std::uint64_t rays = 0;  ///< nearest-hit rays
+  std::uint64_t rays = 0;  ///< nearest-hit rays, but for those that look for panes, hidden lamps and the
+                           ///< media around a point
   std::uint64_t shadow_rays = 0;
   std::uint64_t split_paths = 0;      ///< paths that went on with one wavelength after dispersion
   std::uint64_t media_overflows = 0;  ///< paths that were in more media at once, or met more surfaces in one

@@ -16,7 +16,8 @@ namespace photopic {
 /// large, by area where it is so far that both are nearly the same. A line of memory: of many lights, each
 /// choice waits for one.
 struct alignas(64) AreaLight {
-  Vec3f vertex, edge1, edge2;  ///< drawn towards the middle a little; see shrink_to_middle
+  Vec3f vertex, edge1, edge2;  ///< [m], relative to Scene::origin; drawn towards the middle a little: see
+                               ///< shrink_to_middle
   Vec3f normal;                ///< of the front, unit
   float area;                  ///< [m²]
   float error;                 ///< bound on a point's distance from its triangle's plane [m]
