@@ -50,7 +50,7 @@ Targets make_targets(std::span<const TabulatedSpectrum> emissions, const Optimiz
   return targets;
 }
 
-WavelengthDistribution::Targets describe_targets(const OptimizeOptions& options) {
+WavelengthDistribution::TargetRecord describe_targets(const OptimizeOptions& options) {
   const bool all = options.objective == Objective::asymptotic;
   return {.white = options.white == White::d65 ? "D65" : "illuminant",
           .constructed = all ? options.target_count : 1,

@@ -34,7 +34,7 @@ struct WavelengthDistribution {
   };
 
   /// What an optimisation aimed at.
-  struct Targets {
+  struct TargetRecord {
     std::string white = "D65";         ///< of ΔE; or "illuminant"
     int constructed = 0;               ///< the optimiser's own reflectances, R = 1 among them
     std::uint64_t seed = 0;            ///< theirs, and the search's
@@ -50,7 +50,7 @@ struct WavelengthDistribution {
   std::string spectrum = {};         ///< as the user named it
   std::string spectrum_digest = {};  ///< digest() of the tabulated emission
   std::string objective = {};        ///< "asymptotic" or "mean-delta-e"
-  Targets targets = {};
+  TargetRecord targets = {};
   double optimize_seconds = 0.0;  ///< wall clock of the search
   double value = 0.0;             ///< the objective's value reached [ΔE]
   double illuminant_value = 0.0, visible_value = 0.0, uniform_value = 0.0;  ///< the baselines' [ΔE]

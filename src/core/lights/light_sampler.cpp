@@ -193,7 +193,7 @@ std::optional<LightSample> LightSampler::sample_light(std::uint32_t light, Vec3f
 
 float LightSampler::choice_probability(const LightReference& at, std::span<const float> spectra, int spectrum,
                                        std::uint32_t light) const {
-  const Place& place = places_[light];
+  const PlaceInGroup& place = places_[light];
   if (place.entry == kNoLight) return 0.0f;
   const std::size_t k = group_of(spectrum);
   const Group& group = groups_[k];

@@ -67,7 +67,7 @@ class LightSampler {
     LightTree tree;
   };
   /// Where a light stands in its group.
-  struct Place {
+  struct PlaceInGroup {
     std::uint32_t entry = kNoLight;  ///< of the table; kNoLight: it seems dark and is never chosen
     std::uint32_t leaf = 0;          ///< of the tree, when that is the entry
   };
@@ -106,8 +106,8 @@ class LightSampler {
   AreaLights area_lights_;
   std::vector<PunctualLight> punctual_lights_;
   std::shared_ptr<const Environment> environment_;
-  std::vector<Group> groups_;  ///< of each emission spectrum, or one of all
-  std::vector<Place> places_;  ///< of each light
+  std::vector<Group> groups_;         ///< of each emission spectrum, or one of all
+  std::vector<PlaceInGroup> places_;  ///< of each light
   std::vector<double> power_of_spectrum_;
   std::vector<float> share_of_group_;
   int lit_groups_ = 0;

@@ -108,7 +108,7 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
     const std::vector<LightCluster> branches = build.branches(cluster, node == 0);
     if (node == 0) root_width_ = static_cast<std::uint32_t>(branches.size());
     for (const LightCluster& branch : branches) {
-      const Place place = node * kWidth + lane;
+      const BranchIndex place = node * kWidth + lane;
       build.fill(nodes_[node], lane, branch);
       if (branch.members.size() == 1) {
         nodes_[node].child[lane] = ~static_cast<std::int32_t>(name_of(branch.members[0]));
@@ -136,12 +136,12 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
 
 float LightTree::probability(const LightReference& at, std::uint32_t light) const {
   // Up to the root, where whatever is chosen within a cluster by power begins anew.
-  Place place = place_of_light_[light];
+  BranchIndex place = place_of_light_[light];
   const float power = nodes_[place / kWidth].branches.power[place % kWidth];
   float probability = 1.0f;
   while (place != kRoot) {
     const Node& n = nodes_[place / kWidth];
-    const Place above = place_of_node_[place / kWidth];
+    const BranchIndex above = place_of_node_[place / kWidth];
     const Node& parent = nodes_[above == kRoot ? 0 : above / kWidth];
     if (above != kRoot && parent.seen_alike(above % kWidth, at.position)) {
       probability = power / parent.branches.power[above % kWidth];

@@ -60,15 +60,15 @@ class LightTree {
   class Descents;
 
   /// A node's lane, node · kWidth + lane.
-  using Place = std::uint32_t;
-  static constexpr Place kRoot = ~0u;
+  using BranchIndex = std::uint32_t;
+  static constexpr BranchIndex kRoot = ~0u;
 
   std::vector<Node> nodes_;
   std::uint32_t root_width_ = 0;  ///< how many branches the first has
   std::vector<Cluster> clusters_;
   std::vector<std::uint32_t> lights_in_order_;  ///< their names, so that each branch's stand together
-  std::vector<Place> place_of_node_;            ///< in its parent
-  std::vector<Place> place_of_light_;
+  std::vector<BranchIndex> place_of_node_;      ///< in its parent
+  std::vector<BranchIndex> place_of_light_;
 };
 
 }  // namespace photopic
