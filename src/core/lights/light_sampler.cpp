@@ -157,28 +157,8 @@ void LightSampler::spectrum_probabilities(std::span<float> brightness) const {
   }
 }
 
-std::optional<LightSample> LightSampler::sample(const LightReference& at, std::span<const float> spectra,
-                                                double u_choice, Sample2d u) const {
-  Pick chosen = pick(spectra, u_choice);
-  if (chosen.tree) chosen.take(chosen.tree->choose(at, chosen.u));
-  if (chosen.light == kNoLight) return {};
-  std::optional<LightSample> s = sample_light(chosen.light, at.position, u);
-  if (s) s->pdf *= chosen.probability;
-  return s;
-}
-
-std::optional<LightSample> LightSampler::sample_light(std::uint32_t light, Vec3f from, Sample2d u) const {
-  const std::size_t areas = area_lights_.list().size();
-  if (light < areas) {
-    const AreaLight& area_light = area_lights_.list()[light];
-    std::optional<LightSample> s = area_light.sample(from, u);
-    if (s) {
-      s->radiance = area_lights_.emission(area_light).luminance;
-      s->spectrum = area_lights_.emission(area_light).spectrum;
-    }
-    return s;
-  }
-  if (light < environment_index()) return punctual_lights_[light - areas].sample(from);
+std::optional<LightSample> LightSampler::sample_other(std::uint32_t light, Vec3f from, Sample2d u) const {
+  if (light < environment_index()) return punctual_lights_[light - area_lights_.list().size()].sample(from);
   const Environment::Sample way = environment_->sample(u);
   if (!(way.pdf > 0.0f)) return {};
   LightSample s{};

@@ -93,7 +93,6 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
   std::iota(order.begin(), order.end(), 0u);
   Build build{lights, 0.0};
   build.total_power = build.power(order);
-  const auto name_of = [&](std::uint32_t light) { return names.empty() ? light : names[light]; };
 
   struct Pending {
     std::uint32_t node;
@@ -111,7 +110,7 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
       const BranchIndex place = node * kWidth + lane;
       build.fill(nodes_[node], lane, branch);
       if (branch.members.size() == 1) {
-        nodes_[node].child[lane] = ~static_cast<std::int32_t>(name_of(branch.members[0]));
+        nodes_[node].child[lane] = ~static_cast<std::int32_t>(names[branch.members[0]]);
         place_of_light_[branch.members[0]] = place;
       } else {
         if (branch.bounds.cos_o > kNarrowCone) {
@@ -131,7 +130,7 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
   // Now the order is final.
   for (const auto members : alike)
     clusters_.push_back({build.table(members), static_cast<std::uint32_t>(members.data() - order.data())});
-  for (const std::uint32_t i : order) lights_in_order_.push_back(name_of(i));
+  for (const std::uint32_t i : order) lights_in_order_.push_back(names[i]);
 }
 
 float LightTree::probability(const LightReference& at, std::uint32_t light) const {

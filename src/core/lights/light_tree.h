@@ -17,8 +17,8 @@ class LightTree {
  public:
   LightTree() = default;
   /// @param lights of power > 0, at least one
-  /// @param names what choose() calls them; by default their indices
-  explicit LightTree(const std::vector<LightBounds>& lights, std::span<const std::uint32_t> names = {});
+  /// @param names what choose() calls them
+  LightTree(const std::vector<LightBounds>& lights, std::span<const std::uint32_t> names);
 
   bool empty() const { return nodes_.empty(); }
 
@@ -28,10 +28,7 @@ class LightTree {
   };
   using Choices = std::array<Choice, kLanes>;
 
-  /// @param u in [0, 1)
-  Choice choose(const LightReference& at, double u) const;
-
-  /// The same for several points at once. @param wanted lanes, of which the choices are filled in
+  /// For several points at once. @param u in [0, 1) @param wanted lanes, of which the choices are filled in
   void choose(const BasicLightReference<Lanes>& at, const DoubleLanes& u,
               std::span<const std::uint32_t> wanted, Choices& choices) const;
 

@@ -134,11 +134,4 @@ void LightTree::choose(const BasicLightReference<Lanes>& at, const DoubleLanes& 
   descents.draw_by_power();
 }
 
-LightTree::Choice LightTree::choose(const LightReference& at, double u) const {
-  Choices choices;
-  choose({broadcast<Lanes>(at.position), broadcast<Lanes>(at.normal)}, DoubleLanes{} + u, std::array{0u},
-         choices);
-  return choices[0];
-}
-
 }  // namespace photopic
