@@ -67,6 +67,12 @@ class LightSampler {
     std::uint32_t leaf = 0;          ///< of the tree, when that is the entry
   };
 
+  /// Of each light.
+  struct Powers {
+    std::vector<double> power;  ///< luminous flux [lm]
+    std::vector<int> spectrum;  ///< index into Scene::emission_spectra
+  };
+
   /// A light, or a tree that is still to choose it.
   struct Pick {
     std::uint32_t light = kNoLight;
@@ -76,6 +82,8 @@ class LightSampler {
 
     void take(const LightTree::Choice& choice) { light = choice.light, probability *= choice.probability; }
   };
+  Powers list_powers(double radius) const;
+  std::optional<std::uint32_t> find_only_area_light() const;
   Pick pick(std::span<const float> spectra, double u_choice) const;
   LightTree::Choices choose_lights(const LightReferenceLanes& at) const;
   LightTree::Choices choose_among_all(const LightReferenceLanes& at) const;
