@@ -85,7 +85,7 @@ void load_gltf_lights(const GltfDocument& document, const std::vector<NodeInstan
 void load_gltf_environment(const GltfDocument& document, const GltfOptions& options, GltfEmissions& emissions,
                            Scene& scene) {
   const bool given = !options.environment.file.empty();
-  if (!given && (emissions.has_lamp() || options.allow_incomplete)) return;
+  if (!given && emissions.has_lamp()) return;
   Environment environment = given ? load_environment(options.environment, scene.warnings) : overcast_sky();
   environment.emission_spectrum =
       emissions.add({"environment", "environment", "", "", {1, 1, 1}, nullptr}).spectrum;
