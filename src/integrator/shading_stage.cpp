@@ -51,12 +51,14 @@ std::uint64_t ShadingStage<N, kHas>::shade(PathBatch<N>& batch, BsdfKind kind, i
 
 /// Where lights differ in spectrum: what those of each may add to this path.
 template <int N, Features kHas>
-std::span<const float> ShadingStage<N, kHas>::weigh_spectra(PathBatch<N>& batch, std::uint32_t slot) const {
+std::span<const float> ShadingStage<N, kHas>::weigh_spectra(PathBatch<N>& batch, std::uint32_t slot,
+                                                            const LightSampler::GroupShares& shares,
+                                                            int lane) const {
   const std::span<float> spectra = batch.spectra_of(slot);
   const SampledSpectrum<N> importance = batch.throughput[slot] * batch.wavelengths[slot].importance();
   for (std::size_t k = 0; k < spectra.size(); ++k)
     spectra[k] = (importance * batch.emission(slot, static_cast<int>(k))).sum();
-  scene_.lights.spectrum_probabilities(spectra);
+  scene_.lights.spectrum_probabilities(spectra, shares, lane);
   return spectra;
 }
 
@@ -91,9 +93,11 @@ LightSampleLanes ShadingStage<N, kHas>::choose_lights(PathBatch<N>& batch, const
                          .count = packet.count};
   if (!Bsdf::kLitFromBehind) at.normal = vertices.frame.n;
   if (scene_.lights.uses_normals()) batch.normal.scatter(packet, rows_of(at.normal));
-  if (scene_.lights.several_spectra())
+  if (scene_.lights.several_spectra()) {
+    const LightSampler::GroupShares shares = scene_.lights.group_shares({at.position, at.normal});
     for (int i = 0; i < packet.count; ++i)
-      at.spectra[static_cast<std::size_t>(i)] = weigh_spectra(batch, packet[i]);
+      at.spectra[static_cast<std::size_t>(i)] = weigh_spectra(batch, packet[i], shares, i);
+  }
   scene_.lights.sample(at, lights);
   return lights;
 }

@@ -53,6 +53,14 @@ inline std::optional<LightSample> sample_one(const LightSampler& lights, const L
   return lane_of(samples, 0);
 }
 
+/// @param brightness of each spectrum
+inline std::vector<float> spectrum_probabilities(const LightSampler& lights, const LightReference& at,
+                                                 std::vector<float> brightness) {
+  const auto shares = lights.group_shares({broadcast<Lanes>(at.position), broadcast<Lanes>(at.normal)});
+  lights.spectrum_probabilities(brightness, shares, 0);
+  return brightness;
+}
+
 inline std::optional<LightSample> sample_one(const AreaLight& light, Vec3f from, Sample2d u) {
   LightSampleLanes samples;
   AreaLightLanes(light).sample(broadcast<Lanes>(from), {Lanes{} + u.x, Lanes{} + u.y}, samples);

@@ -8,11 +8,6 @@
 namespace photopic {
 namespace {
 
-/// From so many lights on, walking trees costs less than it saves.
-constexpr std::ptrdiff_t kTreesFrom = 32;
-/// Then a tree for each of more kinds of light costs more than to know the kind saves: one holds all.
-constexpr std::size_t kMostTrees = 4;
-
 /// Power says little about how lights within the scene compare with those beyond it: of what use is the sky
 /// in a closed room, or a lamp in a landscape? Neither kind gets less than this share of the choices.
 constexpr double kLeastShare = 0.25;
@@ -67,19 +62,22 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
       power_of_spectrum_(scene.emission_spectra.size()) {
   const auto [power, spectrum] = list_powers(radius);
   places_.resize(power.size());
-  const std::size_t kinds = std::set(spectrum.begin(), spectrum.end()).size();
-  const bool in_trees = std::ranges::count_if(power, [](double p) { return p > 0.0; }) >= kTreesFrom;
-  groups_.resize(in_trees && kinds > kMostTrees ? 1 : power_of_spectrum_.size());
-  share_of_group_.resize(groups_.size());
-
+  std::set<int> kinds;
   double bounded = 0.0, unbounded = 0.0;
-  std::vector<std::vector<std::uint32_t>> members(groups_.size());
+  int bounded_count = 0;
   for (std::uint32_t i = 0; i < power.size(); ++i) {
     if (!(power[i] > 0.0)) continue;
-    members[group_of(spectrum[i])].push_back(i);
+    kinds.insert(spectrum[i]);
     power_of_spectrum_[static_cast<std::size_t>(spectrum[i])] += power[i];
-    (is_unbounded(i) ? unbounded : bounded) += power[i];
+    if (is_unbounded(i))
+      unbounded += power[i];
+    else
+      bounded += power[i], ++bounded_count;
   }
+  groups_.resize(kinds.size() > kMostGroups ? 1 : power_of_spectrum_.size());
+  std::vector<std::vector<std::uint32_t>> members(groups_.size());
+  for (std::uint32_t i = 0; i < power.size(); ++i)
+    if (power[i] > 0.0) members[group_of(spectrum[i])].push_back(i);
 
   // Specks of light on a dark texture may escape all estimates: then each spectrum counts alike.
   if (!(bounded + unbounded > 0.0)) std::ranges::fill(power_of_spectrum_, 1.0);
@@ -90,10 +88,8 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
   for (std::uint32_t i = 0; i < power.size(); ++i) weight[i] *= (is_unbounded(i) ? factor : 1.0) / total;
   for (std::size_t k = 0; k < groups_.size(); ++k) {
     if (members[k].empty()) continue;
-    ++lit_groups_;
-    only_group_ = k;
-    make_group(groups_[k], members[k], weight, in_trees);
-    for (const std::uint32_t i : members[k]) share_of_group_[k] += static_cast<float>(weight[i]);
+    lit_groups_.push_back(k);
+    make_group(groups_[k], members[k], weight, bounded_count > 1);
   }
   only_area_light_ = find_only_area_light();
 }
@@ -112,8 +108,8 @@ LightSampler::Powers LightSampler::list_powers(double radius) const {
 }
 
 std::optional<std::uint32_t> LightSampler::find_only_area_light() const {
-  if (lit_groups_ != 1) return {};
-  const auto& lights = groups_[only_group_].lights;
+  if (lit_groups_.size() != 1) return {};
+  const auto& lights = groups_[lit_groups_.front()].lights;
   if (lights.size() != 1 || lights[0] >= area_lights_.list().size()) return {};
   return lights[0];
 }
@@ -132,15 +128,14 @@ LightBounds LightSampler::bounds_of(std::uint32_t light) const {
 
 void LightSampler::make_group(Group& group, std::span<const std::uint32_t> members,
                               std::span<const double> weight, bool in_trees) {
-  const auto bounded = static_cast<std::size_t>(
-      std::ranges::count_if(members, [this](std::uint32_t i) { return !is_unbounded(i); }));
+  const bool has_bounded = !std::ranges::all_of(members, [this](std::uint32_t i) { return is_unbounded(i); });
   std::vector<double> entries;
   const auto add_entry = [&](std::uint32_t light, double w) {
     group.lights.push_back(light);
     entries.push_back(w);
     return static_cast<std::uint32_t>(entries.size() - 1);
   };
-  if (in_trees && bounded > 1) {
+  if (in_trees && has_bounded) {
     uses_normals_ = true;
     const std::uint32_t entry = add_entry(kNoLight, 0.0);
     std::vector<LightBounds> bounds;
@@ -152,22 +147,29 @@ void LightSampler::make_group(Group& group, std::span<const std::uint32_t> membe
       bounds.push_back(bounds_of(i));
       bounds.back().intensity *= static_cast<float>(weight[i]);
       entries[entry] += weight[i];
+      group.intensity += bounds.back().intensity;
     }
     group.tree = LightTree(bounds, names);
   }
   for (const std::uint32_t i : members)
     if (group.tree.empty() || is_unbounded(i)) places_[i] = {add_entry(i, weight[i]), 0};
+  for (const std::uint32_t i : members)
+    (is_unbounded(i) ? group.unbounded : group.bounded) += static_cast<float>(weight[i]);
   group.table = AliasTable(entries);
 }
 
-void LightSampler::spectrum_probabilities(std::span<float> brightness) const {
+void LightSampler::spectrum_probabilities(std::span<float> brightness, const GroupShares& shares,
+                                          int lane) const {
+  std::array<float, kMostGroups> weight;
   float total = 0.0f;
-  for (std::size_t k = 0; k < brightness.size(); ++k) total += brightness[k] *= share_of_group_[k];
-  if (total > 0.0f && total < std::numeric_limits<float>::infinity()) {
-    for (float& b : brightness) b /= total;
-  } else if (total != 0.0f) {  // not a number: it shall be seen in the result
-    std::ranges::copy(share_of_group_, brightness.begin());
-  }
+  for (std::size_t j = 0; j < lit_groups_.size(); ++j)
+    total += weight[j] = brightness[lit_groups_[j]] * photopic::lane(shares[j], lane);
+  std::ranges::fill(brightness, 0.0f);
+  if (total == 0.0f) return;
+  const bool is_number =
+      total < std::numeric_limits<float>::infinity();  // else it shall be seen in the result
+  for (std::size_t j = 0; j < lit_groups_.size(); ++j)
+    brightness[lit_groups_[j]] = is_number ? weight[j] / total : photopic::lane(shares[j], lane);
 }
 
 std::optional<LightSample> LightSampler::sample_other(std::uint32_t light, Vec3f from, Sample2d u) const {

@@ -13,26 +13,34 @@
 namespace photopic {
 
 /// Chooses lights for next-event estimation: where lamps are of a few kinds, first an emission spectrum, by
-/// what its lights may add to the path's wavelengths; then a light that has it, by power, or by the light
-/// tree where they are many; then a direction to that light.
+/// what its lights may add to the path's wavelengths where it is; then a light that has it, by the light
+/// tree, those beyond the scene by power; then a direction to that light.
 class LightSampler {
  public:
+  /// Of more kinds of light a tree for each costs more than to know the kind saves: one holds all.
+  static constexpr std::size_t kMostGroups = 4;
+
   /// @param radius of a sphere about the scene: what directional lights and the environment light [m]
   /// @param surfaces of the scene's materials
   LightSampler(const Scene& scene, double radius, std::span<const Surface> surfaces);
 
-  bool empty() const { return lit_groups_ == 0; }
+  bool empty() const { return lit_groups_.empty(); }
 
   /// Whether a spectrum is chosen first, so that the functions below want the probabilities of each. Else
   /// they are given an empty list.
-  bool several_spectra() const { return lit_groups_ > 1; }
+  bool several_spectra() const { return lit_groups_.size() > 1; }
 
   /// Whether the choice depends on the normal of the LightReference.
   bool uses_normals() const { return uses_normals_; }
 
+  /// Shares of the choices that groups of lights get at 16 places whatever the paths' wavelengths.
+  using GroupShares = std::array<Lanes, kMostGroups>;
+  GroupShares group_shares(const BasicLightReference<Lanes>& at) const;
+
   /// Turns the brightness of each emission spectrum on its way to a path's result (its values at the path's
   /// wavelengths times throughput and observer, up to a common factor) into the probability of choosing it.
-  void spectrum_probabilities(std::span<float> brightness) const;
+  /// @param lane of the path among those whose shares are given
+  void spectrum_probabilities(std::span<float> brightness, const GroupShares& shares, int lane) const;
 
   /// A light for each point, and a direction to it.
   void sample(const LightReferenceLanes& at, LightSampleLanes& samples) const;
@@ -60,6 +68,8 @@ class LightSampler {
     AliasTable table;
     std::vector<std::uint32_t> lights;  ///< of each entry of the table; kNoLight: the tree
     LightTree tree;
+    float intensity = 0.0f;                  ///< of the tree's lights, in one unit for all groups
+    float bounded = 0.0f, unbounded = 0.0f;  ///< shares of the choices, by power
   };
   /// Where a light stands in its group.
   struct PlaceInGroup {
@@ -90,7 +100,8 @@ class LightSampler {
   /// The tree beside which there is no light, or null.
   const LightTree* only_tree() const;
   void fill_emission(const std::array<const AreaLight*, kLanes>& lights, LightSampleLanes& samples) const;
-  /// @param in_trees whether lights that are bounded stand in one
+  /// @param weight of each light: its share of the choices @param in_trees whether lights that are bounded
+  /// stand in one
   void make_group(Group& group, std::span<const std::uint32_t> members, std::span<const double> weight,
                   bool in_trees);
   LightBounds bounds_of(std::uint32_t light) const;
@@ -113,16 +124,14 @@ class LightSampler {
   std::vector<Group> groups_;         ///< of each emission spectrum, or one of all
   std::vector<PlaceInGroup> places_;  ///< of each light
   std::vector<double> power_of_spectrum_;
-  std::vector<float> share_of_group_;
-  int lit_groups_ = 0;
-  std::size_t only_group_ = 0;  ///< where but one has lights
+  std::vector<std::size_t> lit_groups_;  ///< those that have lights, at most kMostGroups
   bool uses_normals_ = false;
   std::optional<std::uint32_t> only_area_light_;  ///< where there is no other light
 };
 
 inline LightSampler::Pick LightSampler::pick(std::span<const float> spectra, double u_choice) const {
   // The spectrum.
-  std::size_t k = only_group_;
+  std::size_t k = lit_groups_.front();
   float probability = 1.0f;
   if (!spectra.empty()) {
     for (k = 0; k < spectra.size() && u_choice >= spectra[k]; ++k) u_choice -= spectra[k];

@@ -3,6 +3,23 @@
 
 namespace photopic {
 
+LightSampler::GroupShares LightSampler::group_shares(const BasicLightReference<Lanes>& at) const {
+  GroupShares reaches;
+  Lanes all{};
+  float bounded = 0.0f;
+  for (std::size_t j = 0; j < lit_groups_.size(); ++j) {
+    const Group& group = groups_[lit_groups_[j]];
+    reaches[j] = group.tree.empty() ? Lanes{} : group.intensity * group.tree.total_importance(at);
+    all += reaches[j], bounded += group.bounded;
+  }
+  GroupShares shares;
+  for (std::size_t j = 0; j < lit_groups_.size(); ++j) {
+    const Group& group = groups_[lit_groups_[j]];
+    shares[j] = group.unbounded + select(all > 0.0f, bounded * reaches[j] / all, Lanes{} + group.bounded);
+  }
+  return shares;
+}
+
 LightTree::Choices LightSampler::choose_among_all(const LightReferenceLanes& at) const {
   std::array<Pick, kLanes> picks;
   for (std::size_t k = 0; k < static_cast<std::size_t>(at.count); ++k)
@@ -28,8 +45,9 @@ LightTree::Choices LightSampler::choose_among_all(const LightReferenceLanes& at)
 }
 
 const LightTree* LightSampler::only_tree() const {
-  const Group& group = groups_[only_group_];
-  return lit_groups_ == 1 && group.lights.size() == 1 && group.lights[0] == kNoLight ? &group.tree : nullptr;
+  const Group& group = groups_[lit_groups_.front()];
+  return lit_groups_.size() == 1 && group.lights.size() == 1 && group.lights[0] == kNoLight ? &group.tree
+                                                                                            : nullptr;
 }
 
 LightTree::Choices LightSampler::choose_lights(const LightReferenceLanes& at) const {

@@ -28,6 +28,9 @@ class LightTree {
   };
   using Choices = std::array<Choice, kLanes>;
 
+  /// What all lights may send to each point, at most and roughly: importance().
+  Lanes total_importance(const BasicLightReference<Lanes>& at) const;
+
   /// For several points at once. @param u in [0, 1) @param wanted lanes, of which the choices are filled in
   void choose(const BasicLightReference<Lanes>& at, const DoubleLanes& u,
               std::span<const std::uint32_t> wanted, Choices& choices) const;

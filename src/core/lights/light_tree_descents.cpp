@@ -127,6 +127,12 @@ void LightTree::Descents::draw_by_intensity() const {
   }
 }
 
+Lanes LightTree::total_importance(const BasicLightReference<Lanes>& at) const {
+  Lanes total{};
+  for (std::uint32_t i = 0; i < root_width_; ++i) total += importance(nodes_[0].branch(i), at);
+  return total;
+}
+
 void LightTree::choose(const BasicLightReference<Lanes>& at, const DoubleLanes& u,
                        std::span<const std::uint32_t> wanted, Choices& choices) const {
   Descents descents(*this, at, u, wanted, choices);

@@ -74,8 +74,7 @@ void expect_same(const LightSampleLanes& lanes, int i, const std::optional<Light
   }
 }
 
-/// Sixteen at once are what each is alone, whether few lights are chosen by power or many by the tree, which
-/// may be all there is.
+/// Sixteen at once are what each is alone, of few lights and of many, whose tree may be all there is.
 TEST(LightLanes, AsOneByOne) {
   for (const Scene& scene : {with_others(3), with_others(100), lamps(100).build()}) {
     const LightSampler lights = lights_of(scene, 5.0);

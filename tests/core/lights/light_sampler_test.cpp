@@ -39,55 +39,75 @@ SceneBuilder three_lamps(bool one_spectrum) {
   return b;
 }
 
-/// From a place that all of them shine at.
+/// Seen from kPlace, points of equal intensity 1 m and 3 m away: the first adds nine times as much.
 constexpr Vec3f kPlace{0.3f, 0.2f, 1.5f};
-
-TEST(LightSampler, ChoosesByPower) {
-  const LightSampler lights = lights_of(three_lamps(true).build());
-  EXPECT_FALSE(lights.several_spectra());
-  constexpr int kSamples = 100000;
-  std::vector<double> observed(3);
-  const std::vector<double> expected{kSamples * 2 / 18.0, kSamples * 12 / 18.0, kSamples * 4 / 18.0};
-  for (std::uint32_t i = 0; i < kSamples; ++i) {
-    const SampleStream stream(Sequence::independent, 8, 0, i);
-    const auto s = sample_one(lights, {kPlace, {}}, {}, stream.get_1d_fine(0), stream.get_2d(1));
-    ASSERT_TRUE(s);
-    ++observed[s->triangle / 2];
-  }
-  EXPECT_GT(chi_square_p_value(observed, expected), 1e-3);
+Scene two_points(bool one_spectrum) {
+  Scene scene = three_lamps(false).build();
+  for (Material& m : scene.materials) m.emission_luminance = 0.0f;
+  for (const float distance : {1.0f, 3.0f})
+    scene.punctual_lights.push_back({.position = kPlace + Vec3f{distance, 0, 0},
+                                     .intensity = 2.0f,
+                                     .emission_spectrum = one_spectrum || distance == 1.0f ? 0 : 1});
+  return scene;
 }
 
-/// With the probabilities of spectra given, they are kept, and within a spectrum the powers.
-TEST(LightSampler, ChoosesSpectraAsTold) {
-  const LightSampler lights = lights_of(three_lamps(false).build());
-  ASSERT_TRUE(lights.several_spectra());
-  std::vector<float> spectra{0.5f, 3.0f};  // times powers 6 and 12
-  lights.spectrum_probabilities(spectra);
-  EXPECT_NEAR(spectra[0], 3.0 / 39.0, 1e-6);
-  EXPECT_NEAR(spectra[1], 36.0 / 39.0, 1e-6);
-  constexpr int kSamples = 100000;
-  std::vector<double> observed(3);
-  const std::vector<double> expected{kSamples / 39.0, kSamples * 36 / 39.0, kSamples * 2 / 39.0};
-  for (std::uint32_t i = 0; i < kSamples; ++i) {
+/// @return how often the first of two points was chosen in 100,000 samples
+double first_chosen(const LightSampler& lights, std::span<const float> spectra) {
+  double count = 0;
+  for (std::uint32_t i = 0; i < 100'000; ++i) {
     const SampleStream stream(Sequence::independent, 8, 0, i);
     const auto s = sample_one(lights, {kPlace, {}}, spectra, stream.get_1d_fine(0), stream.get_2d(1));
-    ASSERT_TRUE(s);
-    EXPECT_EQ(s->spectrum, s->triangle / 2 == 1 ? 1 : 0);
-    ++observed[s->triangle / 2];
+    if (s && s->distance < 2.0f) ++count;
   }
-  EXPECT_GT(chi_square_p_value(observed, expected), 1e-3);
+  return count;
+}
+
+TEST(LightSampler, ChoosesByWhatMayArrive) {
+  const LightSampler lights = lights_of(two_points(true));
+  EXPECT_FALSE(lights.several_spectra());
+  const std::vector<double> expected{90'000, 10'000};
+  const double first = first_chosen(lights, {});
+  EXPECT_GT(chi_square_p_value(std::vector{first, 1e5 - first}, expected), 1e-3);
+}
+
+/// Spectra are chosen by brightness times what may arrive.
+TEST(LightSampler, ChoosesSpectraByPlaceAndBrightness) {
+  const LightSampler lights = lights_of(two_points(false));
+  ASSERT_TRUE(lights.several_spectra());
+  const std::vector<float> spectra = spectrum_probabilities(lights, {kPlace, {}}, {0.5f, 3.0f});
+  EXPECT_NEAR(spectra[0], 4.5 / 7.5, 1e-6);
+  EXPECT_NEAR(spectra[1], 3.0 / 7.5, 1e-6);
+  const std::vector<double> expected{60'000, 40'000};
+  const double first = first_chosen(lights, spectra);
+  EXPECT_GT(chi_square_p_value(std::vector{first, 1e5 - first}, expected), 1e-3);
+}
+
+/// What lies beyond the scene keeps its share of the choices everywhere, and all shares add up.
+TEST(LightSampler, SharesOfGroupsAddUp) {
+  Scene scene = two_points(false);
+  scene.punctual_lights.push_back(
+      {.kind = PunctualLight::Kind::directional, .intensity = 5.0f, .emission_spectrum = 1});
+  const LightSampler lights = lights_of(scene, 4.0);
+  float least = 1.0f;
+  for (std::uint32_t k = 0; k < 100; ++k) {
+    const SampleStream place(Sequence::independent, 3, 0, k);
+    const Vec3f at = Vec3f{place.get_1d(0), place.get_1d(1), place.get_1d(2)} * 10.0f - Vec3f{5, 5, 5};
+    const auto shares = lights.group_shares({broadcast<Lanes>(at), {}});
+    EXPECT_NEAR(shares[0][0] + shares[1][0], 1.0f, 1e-6f);
+    least = std::min(least, shares[1][0]);
+  }
+  EXPECT_GE(least, 0.25f);
 }
 
 TEST(LightSampler, DarkSpectraAndThoseThatAreNoNumbers) {
-  const LightSampler lights = lights_of(three_lamps(false).build());
-  std::vector<float> dark{0.0f, 0.0f};
-  lights.spectrum_probabilities(dark);
+  const LightSampler lights = lights_of(two_points(false));
+  const std::vector<float> dark = spectrum_probabilities(lights, {kPlace, {}}, {0.0f, 0.0f});
   EXPECT_EQ(dark, (std::vector<float>{0.0f, 0.0f}));
   EXPECT_FALSE(sample_one(lights, {kPlace, {}}, dark, 0.3, {0.5f, 0.5f}));
-  std::vector<float> odd{std::numeric_limits<float>::quiet_NaN(), 1.0f};
-  lights.spectrum_probabilities(odd);
-  EXPECT_NEAR(odd[0], 1.0 / 3.0, 1e-6);
-  EXPECT_NEAR(odd[1], 2.0 / 3.0, 1e-6);
+  const std::vector<float> odd =
+      spectrum_probabilities(lights, {kPlace, {}}, {std::numeric_limits<float>::quiet_NaN(), 1.0f});
+  EXPECT_NEAR(odd[0], 0.9, 1e-6);
+  EXPECT_NEAR(odd[1], 0.1, 1e-6);
 }
 
 /// A scene of 200 small lamps of some spectra and a few large ones: chosen by trees.
@@ -191,11 +211,9 @@ TEST(LightSampler, NarrowSpotsCountWithinTheirBeams) {
 }
 
 /// Of two spectra, where one is chosen first.
-std::vector<float> some_probabilities(const LightSampler& lights) {
+std::vector<float> some_probabilities(const LightSampler& lights, const LightReference& at) {
   if (!lights.several_spectra()) return {};
-  std::vector<float> spectra{0.7f, 0.2f};
-  lights.spectrum_probabilities(spectra);
-  return spectra;
+  return spectrum_probabilities(lights, at, {0.7f, 0.2f});
 }
 
 /// Of a few kinds of light one is chosen first; of more there is one tree.
@@ -209,11 +227,11 @@ TEST(LightSampler, DensitiesAreFoundAgain) {
   for (const SceneBuilder& b : {three_lamps(false), many_lamps(2), many_lamps(7)}) {
     const Scene scene = b.build();
     const LightSampler lights = lights_of(scene);
-    const std::vector<float> spectra = some_probabilities(lights);
     for (std::uint32_t k = 0; k < 50; ++k) {
       const SampleStream place(Sequence::independent, 3, 0, k);
       const LightReference at{{place.get_1d(0) * 2 - 1, place.get_1d(1) * 2 - 1, place.get_1d(2) * 2},
                               {0, 0, k % 2 ? 1.0f : 0.0f}};
+      const std::vector<float> spectra = some_probabilities(lights, at);
       for (std::uint32_t i = 0; i < 100; ++i) {
         const SampleStream stream(Sequence::independent, 8, k, i);
         const auto s = sample_one(lights, at, spectra, stream.get_1d_fine(0), stream.get_2d(1));
@@ -253,12 +271,12 @@ TEST(LightSampler, DensitiesAddUpToOne) {
   for (const SceneBuilder& b : {three_lamps(false), many_lamps(2), many_lamps(7)}) {
     const Scene scene = b.build();
     const LightSampler lights = lights_of(scene);
-    const std::vector<float> spectra = some_probabilities(lights);
     for (std::uint32_t k = 0; k < 8; ++k) {
       const SampleStream place(Sequence::independent, 3, 0, k);
       const LightReference at{
           {place.get_1d(0) * 2 - 1, place.get_1d(1) * 2 - 1, 1.2f + 0.6f * place.get_1d(2)},
           {0, 0, k % 2 ? 1.0f : 0.0f}};
+      const std::vector<float> spectra = some_probabilities(lights, at);
       double sum = 0.0;
       for (std::uint32_t t = 0; t < scene.geometry.triangles.size(); ++t)
         if (scene.materials[scene.geometry.shapes[t / 2].material].emission_spectrum >= 0)
@@ -275,8 +293,8 @@ TEST(LightSampler, DensitiesAddUpToOne) {
 }
 
 /// A lamp that fills a sixth of the sphere, a point, a spot, a directional light and an environment that is
-/// the same all around, their powers 8 : 4 : 6 : 4 : 6: each is chosen as often as its power asks for, with
-/// the density that it is to have.
+/// the same all around, their powers 8 : 4 : 6 : 4 : 6: those within the scene share 18 / 28 by what may
+/// arrive, the others are chosen as often as their power asks for, each with the density that it is to have.
 TEST(LightSampler, EveryKindFollowsItsDensity) {
   SceneBuilder b;
   b.ceiling({0, 0, 2}, 0.5, 0.5, b.lamp(d65(), 8.0));
@@ -296,7 +314,11 @@ TEST(LightSampler, EveryKindFollowsItsDensity) {
   const LightSampler lights = lights_of(scene, 2.0);
 
   const LightReference at{{0, 0, 1.5f}, {}};
-  const double chosen[] = {8 / 28.0, 4 / 28.0, 6 / 28.0, 4 / 28.0, 6 / 28.0};
+  // Root mean square intensities over squared distances, that of the lamp being its radius; all are seen from
+  // within their beams.
+  const double lamp = 8 / std::sqrt(6.0) / 0.5, near = 1 / 1.25, wide = 6 * std::sqrt(0.25) / 3.25;
+  const double share = 18 / 28.0 / (lamp + near + wide);
+  const double chosen[] = {share * lamp, share * near, share * wide, 4 / 28.0, 6 / 28.0};
   const double pdf[] = {chosen[0] / (4 * kPiD / 6), chosen[1], chosen[2], chosen[3], chosen[4] / (4 * kPiD)};
   const auto kind_of = [&](const LightSample& s) -> std::size_t {
     if (s.environment) return 4;
