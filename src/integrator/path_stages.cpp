@@ -207,7 +207,15 @@ void PathTracer<N, kHas>::trace_shadow_rays() {
   }
 }
 
-#define PHOTOPIC_LOOP(N, features) template class PathTracer<N, features>;
+// What other files use: of the whole class, members that they define would be weak references, which
+// link-time optimisation does not find in libraries.
+#define PHOTOPIC_LOOP(N, features)                                                           \
+  template PathTracer<N, features>::PathTracer(const PreparedScene&, const CompiledSampler&, \
+                                               const RenderOptions&);                        \
+  template void PathTracer<N, features>::trace(std::span<const PathKey>, Film&);             \
+  template void PathTracer<N, features>::advance(std::span<const PathKey>);                  \
+  template void PathTracer<N, features>::intersect(bool);                                    \
+  template void PathTracer<N, features>::absorb_and_emit();
 PHOTOPIC_FOR_EACH_LOOP(PHOTOPIC_LOOP)
 #undef PHOTOPIC_LOOP
 
