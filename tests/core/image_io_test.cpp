@@ -223,7 +223,7 @@ TEST_F(ImageIo, WithoutMemoryForTheFileItSaysSo) {
     write_image(folder_ / "small.exr", test_image());  // its threads are there before the limit
     std::string told;
     try {
-      const MemoryLimit limit(40'000'000);
+      const MemoryLimit limit(20'000'000);
       write_image(folder_ / name, noise);
     } catch (const InputError& error) {
       told = error.what();
@@ -265,6 +265,29 @@ TEST_F(ImageIo, MetadataAreReadBack) {
     EXPECT_EQ(metadata.at("sampler"), "uniform") << name;
   }
   EXPECT_TRUE(read_metadata(folder_ / "none.exr").empty());
+}
+
+TEST_F(ImageIo, AnExrTellsWhereItLies) {
+  Image image = test_image();
+  image.left = 4, image.top = 2, image.full_width = 20, image.full_height = 10;
+  for (const ColorSpace space : {ColorSpace::linear_srgb, ColorSpace::xyz}) {
+    image.space = space;
+    write_image(folder_ / "a.exr", image);
+    for (const ImageShape& read :
+         {ImageShape(read_image(folder_ / "a.exr")), read_image_shape(folder_ / "a.exr")}) {
+      EXPECT_EQ(read.width, 7);
+      EXPECT_EQ(read.left, 4);
+      EXPECT_EQ(read.top, 2);
+      EXPECT_EQ(read.full_width, 20);
+      EXPECT_EQ(read.full_height, 10);
+      EXPECT_FALSE(read.is_whole());
+    }
+  }
+  write_image(folder_ / "a.exr", test_image());
+  write_image(folder_ / "a.png", image);
+  EXPECT_EQ(read_image(folder_ / "a.exr").full_width, 7);
+  EXPECT_EQ(read_image(folder_ / "a.png").full_width, 0);
+  for (const char* name : {"a.exr", "a.png"}) EXPECT_TRUE(read_image_shape(folder_ / name).is_whole());
 }
 
 TEST_F(ImageIo, BadImagesAreRefused) {

@@ -1,0 +1,59 @@
+"""photopic diff: which channels and which window it compares."""
+
+import unittest
+
+from exr import read_exr, write_exr
+from harness import CommandTest
+
+GREY = {"R": 0.5, "G": 0.5, "B": 0.5}
+
+
+def layer(name, r, g, b):
+    return {f"{name}.R": r, f"{name}.G": g, f"{name}.B": b}
+
+
+class DiffTest(CommandTest):
+    def write(self, name, channels, width=8, height=4, **windows):
+        write_exr(self.folder / name, channels, width, height, **windows)
+
+    def difference(self, *images):
+        self.photopic("diff", *images, "--json", "diff.json", "--quiet")
+        return self.read_json("diff.json")["runs"][0]
+
+    def render(self, name, *options):
+        self.photopic("render", self.scene, "-o", name, "--sampler", "uniform", "--spp", "4", "--resolution", "40x24",
+                      "--quiet", *options)  # fmt: skip
+
+
+class Channels(DiffTest):
+    OTHERS = {
+        "spectral.exr": {f"S0.{nm},000000nm": 1 for nm in range(400, 800, 25)},
+        "normals.exr": {"normal.X": 0, "normal.Y": 0, "normal.Z": 1},
+        "junk.exr": {"u": 2, "v": 3, "depth.Z": 5},
+        "two.exr": layer("a", 1, 2, 3) | layer("b", 1, 2, 3),
+        "red.exr": {"R": 1},
+    }
+
+    def test_the_rendered_layer_of_several_is_read(self):
+        self.write("rgb.exr", {"R": 1, "G": 2, "B": 3})
+        self.write("blender.exr", layer("ViewLayer.AO", 7, 8, 9) | layer("ViewLayer.Combined", 1, 2, 3) | {"ViewLayer.Depth.Z": 4})
+        self.write("layer.exr", layer("view", 1, 2, 3) | {"view.A": 0})
+        for name in ["blender.exr", "layer.exr"]:
+            self.assertEqual(self.difference("rgb.exr", name)["max_delta_e"], 0, name)
+        self.write("grey.exr", {"Y": 0.5})
+        self.write("same.exr", GREY)
+        self.assertEqual(self.difference("same.exr", "grey.exr")["max_delta_e"], 0)
+
+    def test_what_is_no_picture_is_refused_by_its_channels(self):
+        self.write("same.exr", GREY)
+        for name, channels in self.OTHERS.items():
+            self.write(name, channels)
+            environment = ["render", self.scene, "-o", "a.exr", "--environment", name]
+            reference = ["compare", self.scene, "--reference", name, "--samplers", "uniform"]
+            for command in [["diff", "same.exr", name], ["diff", name, "same.exr"], environment, reference]:
+                self.assert_refused(command, f"{name}: its channels are not those of one picture: ", min(channels))
+        self.assert_refused(["diff", "same.exr", "spectral.exr"], "S0.400,000000nm", " and 8 more")
+
+
+if __name__ == "__main__":
+    unittest.main()
