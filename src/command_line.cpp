@@ -150,7 +150,11 @@ void bind_diff(CLI::App& app, std::function<int()>& action, int& threads) {
   CLI::App& command =
       *add_command(app, "diff", "Measure how far images are from a reference", action, run_diff, a);
   command.add_option("REFERENCE", a->reference, "The image to measure against")->required()->type_name("");
-  command.add_option("IMAGE", a->images, "Images of the same size")->required()->type_name("");
+  command
+      .add_option("IMAGE", a->images,
+                  "Images of the same size; of a crop and a whole picture the crop's window is compared")
+      ->required()
+      ->type_name("");
   command
       .add_option("--white", a->white,
                   "White of ΔE: D65, or a SPECTRUM, the lamp's for an observer adapted to it")

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "error.h"
+#include "image_pair.h"
 #include "scene_setup.h"
 
 namespace photopic {
@@ -24,7 +25,11 @@ Reference read_reference(const Setting& setting) {
   reference.file = reference.description = setting.arguments.reference.string();
   reference.image = read_image(setting.arguments.reference);
   const Camera& camera = setting.scene.scene.camera;
-  check_same_size(Image(camera.width, camera.height), reference.image, reference.file);
+  const ImageShape render{.width = camera.width,
+                          .height = camera.height,
+                          .full_width = camera.width,
+                          .full_height = camera.height};
+  check_same_pixels(render, reference.image, reference.file);
   return reference;
 }
 

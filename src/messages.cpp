@@ -28,6 +28,10 @@ void print_warning(const std::string& text) {
   print_line("warning", text);
 }
 
+void print_note(const std::string& text) {
+  print_line("note", text);
+}
+
 void print_out(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = text.find('\n');

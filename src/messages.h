@@ -14,6 +14,9 @@ void print_error(const std::string& text);
 /// One line on stderr, `warning: …`.
 void print_warning(const std::string& text);
 
+/// One line on stderr, `note: …`: nothing is wrong.
+void print_note(const std::string& text);
+
 /// Lines on stdout.
 void print_out(std::string_view text);
 

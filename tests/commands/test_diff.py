@@ -55,5 +55,35 @@ class Channels(DiffTest):
         self.assert_refused(["diff", "same.exr", "spectral.exr"], "S0.400,000000nm", " and 8 more")
 
 
+class Windows(DiffTest):
+    def test_a_crop_is_compared_with_that_window_of_the_whole(self):
+        self.render("whole.exr")
+        self.render("other.exr", "--seed", "1")
+        self.render("a.exr", "--crop", "20,10,25,13", "--seed", "1")
+        self.render("w.exr", "--crop", "20,10,25,13")
+        expected = self.difference("w.exr", "a.exr")
+        for pair, whole in [(["whole.exr", "a.exr"], "whole.exr"), (["w.exr", "other.exr"], "other.exr")]:
+            result = self.photopic("diff", *pair)
+            self.assertIn(f"note: {whole}: of it the window 20,10,25,13 alone", result.stderr)
+            found = self.difference(*pair)
+            self.assertEqual(found["crop"], [20, 10, 25, 13])
+            self.assertEqual(found["mean_delta_e"], expected["mean_delta_e"])
+        self.assertEqual(self.photopic("diff", "whole.exr", "a.exr", "--quiet").stderr, "")
+        self.assertIsNone(self.difference("whole.exr", "other.exr")["crop"])
+
+    def test_other_windows_are_refused(self):
+        self.render("whole.exr")
+        self.render("a.exr", "--crop", "20,10,25,13", "-o", "a.png")
+        self.render("b.exr", "--crop", "0,0,5,3", "--seed", "1")
+        self.write("small.exr", GREY, 5, 3)
+        self.assert_refused(["diff", "a.exr", "b.exr"], "b.exr: is the window 0,0,5,3 of 40x24", "not 20,10,25,13")
+        self.assert_refused(["diff", "a.exr", "small.exr"], "small.exr: is the window 0,0,5,3 of 5x3")
+        self.write("odd.exr", GREY, 5, 3, left=38, top=0, full=(40, 24))
+        self.assert_refused(["diff", "whole.exr", "odd.exr"], "5x3", "40x24")  # it reaches beyond
+        self.photopic("diff", "a.exr", "a.png")  # which does not tell
+        self.assert_refused(["compare", self.scene, "--resolution", "5x3", "--samplers", "uniform", "--reference", "b.exr"],
+                            "b.exr: is the window 0,0,5,3 of 40x24")  # fmt: skip
+
+
 if __name__ == "__main__":
     unittest.main()
