@@ -70,6 +70,7 @@ void write_json(const RenderArguments& arguments, const Scene& scene, const Run&
                         {"shapes", scene.geometry.shapes.size()},
                         {"materials", scene.materials.size()},
                         {"spectra", scene.emission_names}});
+  json.update(settings_json(arguments.scene, arguments.white_balance));
   json["aov"] = arguments.aovs;
   json["spectral_bins"] = arguments.spectral_bins;
   json["rays"] = run.stats.rays;
@@ -122,7 +123,7 @@ void write_images(const RenderArguments& arguments, const Film& film, const Chro
     attempt(output, [&] {
       Image image = xyz ? film.to_xyz() : film.to_linear_srgb(adaptation);
       if (window) place_in(*window, scene.camera, image);
-      write_render(output, image, arguments.scene, scene, run, layers);
+      write_render(output, image, arguments.scene, scene, run, arguments.white_balance, layers);
     });
   }
 }
