@@ -57,6 +57,7 @@ Measures measure(const DiffArguments& arguments, const Image& reference, const s
 void warn_of_image(const Metadata& reference, const std::filesystem::path& file, std::size_t non_finite) {
   const Metadata metadata = read_metadata(file);
   warn_of_shared_noise(reference, file.string(), metadata);
+  warn_of_other_light(reference, file.string(), metadata);
   if (non_finite > 0)
     print_warning(fmt::format("{}: {} pixels are not finite, here or in the reference, and are left out",
                               file.string(), non_finite));

@@ -10,8 +10,14 @@
 namespace photopic {
 namespace {
 
+constexpr std::size_t kMostOfAValue = 60;  // characters; the spectra of many lamps are a long list
+
 bool same_window(const ImageShape& a, const ImageShape& b) {
   return a.left == b.left && a.top == b.top && a.full_width == b.full_width && a.full_height == b.full_height;
+}
+
+std::string shortened(const std::string& value) {
+  return value.size() <= kMostOfAValue ? value : value.substr(0, kMostOfAValue) + "…";
 }
 
 }  // namespace
@@ -59,6 +65,20 @@ void warn_of_shared_noise(const Metadata& reference, const std::string& name, co
         "{}: has the reference's sampler and seed ({}), and with them its noise: its error comes out too "
         "small; render one with another --seed",
         name, reference.at("seed")));
+}
+
+void warn_of_other_light(const Metadata& reference, const std::string& name, const Metadata& image) {
+  std::string differences;
+  for (const auto& [key, called] :
+       {std::pair{"spectra", "spectra"}, {"observer", "observer"}, {"white_balance", "white balance"}}) {
+    const auto a = reference.find(key), b = image.find(key);
+    if (a == reference.end() || b == image.end() || a->second == b->second) continue;
+    differences += fmt::format("{}{} {}, not {}", differences.empty() ? "" : "; ", called,
+                               shortened(b->second), shortened(a->second));
+  }
+  if (!differences.empty())
+    print_warning(
+        fmt::format("{}: cannot match the reference, by what both files tell: {}", name, differences));
 }
 
 void warn_of_8_bit_reference(const std::filesystem::path& file) {

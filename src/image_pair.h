@@ -24,6 +24,10 @@ void check_same_pixels(const ImageShape& reference, const ImageShape& image, con
 /// come out too small. Metadata that do not tell are taken for others'.
 void warn_of_shared_noise(const Metadata& reference, const std::string& name, const Metadata& image);
 
+/// Warns of an image that by its metadata and the reference's shows other light, or by another eye: their
+/// difference is no error. What one of the two does not tell is taken to be the same.
+void warn_of_other_light(const Metadata& reference, const std::string& name, const Metadata& image);
+
 /// Warns of a reference whose ending is that of an 8-bit image: measures are of linear, unclipped colours.
 void warn_of_8_bit_reference(const std::filesystem::path& file);
 

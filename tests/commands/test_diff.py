@@ -1,4 +1,4 @@
-"""photopic diff: which channels and which window it compares."""
+"""photopic diff: which channels and which window it compares, what it warns of."""
 
 import unittest
 
@@ -83,6 +83,28 @@ class Windows(DiffTest):
         self.photopic("diff", "a.exr", "a.png")  # which does not tell
         self.assert_refused(["compare", self.scene, "--resolution", "5x3", "--samplers", "uniform", "--reference", "b.exr"],
                             "b.exr: is the window 0,0,5,3 of 40x24")  # fmt: skip
+
+
+class OtherLight(DiffTest):
+    def test_is_warned_of_in_a_line(self):
+        self.render("reference.exr", "--emitter", "cie:A")
+        self.render("same.exr", "--emitter", "cie:A", "--seed", "1", "--max-depth", "3")
+        self.render("other.exr", "--emitter", "cie:FL11", "--seed", "1", "-o", "other.png")
+        self.render("eye.exr", "--emitter", "cie:A", "--seed", "1", "--observer", "1964", "--white-balance", "cie:A")
+        self.write("silent.exr", GREY, 40, 24)
+        lines = self.photopic("diff", "reference.exr", "same.exr", "other.exr", "eye.exr", "other.png", "silent.exr").stderr
+        lines = lines.splitlines()
+        self.assertEqual(len(lines), 3, lines)
+        for line, name in zip(lines, ["other.exr", "eye.exr", "other.png"]):
+            self.assertTrue(line.startswith(f"warning: {name}: cannot match the reference"), line)
+        self.assertRegex(lines[0], "spectra .*FL11, not .*A$")
+        self.assertIn("observer CIE 1964, not CIE 1931; white balance cie:A, not D65", lines[1])
+        compare = ["compare", self.scene, "--reference", "reference.exr", "--samplers", "visible,illuminant", "--spp", "1",
+                   "--resolution", "40x24", "--quiet"]  # fmt: skip
+        lines = self.photopic(*compare).stderr.splitlines()
+        self.assertEqual(len(lines), 1, lines)
+        self.assertIn("tiny.gltf: cannot match the reference, by what both files tell: spectra", lines[0])
+        self.assertEqual(self.photopic(*compare, "--emitter", "cie:A").stderr, "")
 
 
 if __name__ == "__main__":
