@@ -8,6 +8,7 @@
 #include "command_line_options.h"
 #include "command_line_scene.h"
 #include "commands.h"
+#include "error_map.h"
 #include "render_layers.h"
 
 namespace photopic {
@@ -161,13 +162,29 @@ void bind_diff(CLI::App& app, std::function<int()>& action, int& threads) {
       ->capture_default_str()
       ->check(not_empty())
       ->type_name("SPECTRUM");
+  command
+      .add_option("--exposure", a->exposure,
+                  "Exposure of reference and images before ΔE [EV, a factor of 2 each]; MSE and relMSE are "
+                  "without it")
+      ->capture_default_str()
+      ->check(exposure_range())
+      ->type_name("EV");
+  command
+      .add_option(
+          "--map", a->map,
+          fmt::format("Picture of ΔE, of one IMAGE alone: .exr holds it in one channel, dE; .png shows "
+                      "it from black, 0, over violet, red and yellow to white, {} and more",
+                      kBrightestDeltaE))
+      ->check(not_empty())
+      ->type_name("FILE");
   bind_threads(command, threads);
   bind_json(command, a->json);
   bind_quiet(command, a->quiet, "No table; warnings and errors only");
   command.footer(std::string("\nΔE is CIEDE2000 on unclipped linear images, its white at Y = 1; 8-bit files "
                              "are decoded first.\n") +
                  kSpectrumHelp +
-                 "\n\nExample: photopic diff reference.exr uniform.exr optimized.exr --json errors.json");
+                 "\n\nExample: photopic diff reference.exr uniform.exr optimized.exr --json errors.json"
+                 "\nExample: photopic diff reference.exr optimized.exr --map error.png");
 }
 
 }  // namespace

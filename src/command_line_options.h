@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -25,6 +26,17 @@ inline CLI::Validator one_of(std::vector<std::string> names) {
 /// An empty name would be taken for none given.
 inline CLI::Validator not_empty() {
   return {[](std::string& text) { return text.empty() ? std::string("it is empty") : std::string(); }, ""};
+}
+
+/// [EV]
+inline CLI::Validator exposure_range() {
+  const auto check = [](std::string& text) {
+    double value = 0;
+    const bool good =
+        CLI::detail::lexical_cast(text, value) && std::isfinite(value) && std::abs(value) <= 100;
+    return good ? std::string() : "Value " + text + " is not a number from -100 to 100";
+  };
+  return {check, "-100…100"};
 }
 
 inline void bind_seed(CLI::App& command, std::uint32_t& seed) {

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "commands.h"
 #include "core/image_metrics.h"
 #include "error.h"
+#include "error_map.h"
 #include "image_pair.h"
 #include "messages.h"
 #include "output_file.h"
@@ -37,9 +39,11 @@ void note_of_part(const ImageShape& part, const std::filesystem::path& whole) {
 struct Measures {
   ImageShape shape;
   ImageDifference difference;
+  std::vector<double> map;  ///< of ΔE; empty where none is asked for
 };
 
 /// Where one of the two is a window of the other, of that window alone.
+/// @param white of ΔE, with the exposure in it
 Measures measure(const DiffArguments& arguments, const Image& reference, const std::filesystem::path& file,
                  Xyz white) {
   const Image image = read_image(file);
@@ -50,7 +54,8 @@ Measures measure(const DiffArguments& arguments, const Image& reference, const s
   check_same_pixels(a, b, file.string());
   if (!arguments.quiet && part_of_reference) note_of_part(b, arguments.reference);
   if (!arguments.quiet && part_of_image) note_of_part(b, file);
-  Measures measures{.shape = a.full_width > 0 ? a : b, .difference = compare_images(a, b, white)};
+  Measures measures{.shape = a.full_width > 0 ? a : b, .difference = compare_images(a, b, white), .map = {}};
+  if (!arguments.map.empty()) measures.map = delta_e_map(a, b, white);
   return measures;
 }
 
@@ -84,17 +89,31 @@ nlohmann::ordered_json json_of(const std::filesystem::path& file, const Measures
 
 void check_outputs(const DiffArguments& arguments) {
   if (!arguments.json.empty()) check_writable_file(arguments.json);
+  if (!arguments.map.empty()) check_writable_map(arguments.map);
+  if (!arguments.map.empty() && arguments.images.size() > 1)
+    throw InputError("--map " + arguments.map.string(),
+                     fmt::format("is of one image, not of {}", arguments.images.size()),
+                     "give a reference and one image");
   std::vector<std::filesystem::path> inputs = arguments.images;
   inputs.push_back(arguments.reference);
   inputs.emplace_back(arguments.white);
-  check_no_overwriting({arguments.json}, inputs);
+  check_no_overwriting({arguments.json, arguments.map}, inputs);
+}
+
+void write_map(const DiffArguments& arguments, const Measures& measures) {
+  write_error_map(arguments.map, measures.shape, measures.map,
+                  {{"reference", arguments.reference.string()},
+                   {"image", arguments.images.front().string()},
+                   {"white", arguments.white},
+                   {"exposure", fmt::format("{:g} EV", arguments.exposure)},
+                   {"version", "photopic " PHOTOPIC_VERSION}});
 }
 
 }  // namespace
 
 int run_diff(const DiffArguments& arguments) {
   check_outputs(arguments);
-  const Xyz white = white_of(arguments.white);
+  const Xyz white = white_of(arguments.white) * std::exp2(-arguments.exposure);
   const Image reference = read_image(arguments.reference);
   warn_of_8_bit_reference(arguments.reference);
   const Metadata metadata = read_metadata(arguments.reference);
@@ -107,11 +126,13 @@ int run_diff(const DiffArguments& arguments) {
     warn_of_image(metadata, file, measures.difference.non_finite);
     rows.push_back(row_of(file, measures.difference));
     runs.push_back(json_of(file, measures));
+    if (!arguments.map.empty()) attempt(arguments.map, [&] { write_map(arguments, measures); });
   }
 
   if (!arguments.json.empty()) {
     const nlohmann::ordered_json json = {{"version", PHOTOPIC_VERSION},
                                          {"white", arguments.white},
+                                         {"exposure", arguments.exposure},
                                          {"reference", {{"image", arguments.reference.string()}}},
                                          {"runs", runs}};
     attempt(arguments.json, [&] { write_json_file(arguments.json, json); });

@@ -264,6 +264,18 @@ void write_image(const std::filesystem::path& file, const Image& image, const Me
   });
 }
 
+void write_channel(const std::filesystem::path& file, const std::string& channel, const ImageShape& shape,
+                   std::span<const float> values, const Metadata& metadata) {
+  OIIO::ImageSpec spec(shape.width, shape.height, 1, OIIO::TypeDesc::FLOAT);
+  spec.channelnames = {channel};
+  spec.attribute("compression", "zip");
+  for (const auto& [key, value] : metadata) spec.attribute(key, value);
+  set_windows(shape, spec);
+  write_encoded(file, spec, [&](OIIO::ImageOutput& output) {
+    return output.write_image(OIIO::TypeDesc::FLOAT, values.data());
+  });
+}
+
 Metadata read_metadata(const std::filesystem::path& file) {
   const QuietStderr quiet;
   const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string());

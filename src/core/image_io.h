@@ -63,6 +63,11 @@ void limit_image_threads(int threads);
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata = {},
                  double exposure_ev = 0.0, const std::vector<ImageLayer>& layers = {});
 
+/// Writes one channel of floats, row by row from the top, to an .exr, as write_image does.
+/// @throws InputError when the file cannot be written
+void write_channel(const std::filesystem::path& file, const std::string& channel, const ImageShape& shape,
+                   std::span<const float> values, const Metadata& metadata);
+
 /// What write_image was given as metadata, other texts with it; nothing where there is no such image.
 Metadata read_metadata(const std::filesystem::path& file);
 

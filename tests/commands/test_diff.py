@@ -1,5 +1,6 @@
-"""photopic diff: which channels and which window it compares, what it warns of."""
+"""photopic diff: which channels and which window it compares, what it warns of, its map."""
 
+import struct
 import unittest
 
 from exr import read_exr, write_exr
@@ -105,6 +106,63 @@ class OtherLight(DiffTest):
         self.assertEqual(len(lines), 1, lines)
         self.assertIn("tiny.gltf: cannot match the reference, by what both files tell: spectra", lines[0])
         self.assertEqual(self.photopic(*compare, "--emitter", "cie:A").stderr, "")
+
+
+class Map(DiffTest):
+    def test_exr_has_delta_e_as_it_is(self):
+        self.render("a.exr")
+        self.render("b.exr", "--seed", "1")
+        self.photopic("diff", "a.exr", "b.exr", "--map", "map.exr", "--json", "diff.json")
+        run = self.read_json("diff.json")["runs"][0]
+        attributes, channels = read_exr(self.folder / "map.exr")
+        self.assertEqual(list(channels), ["dE"])
+        self.assertEqual(len(channels["dE"]), 40 * 24)
+        self.assertAlmostEqual(sum(channels["dE"]) / (40 * 24), run["mean_delta_e"], delta=1e-5 * run["mean_delta_e"])
+        self.assertAlmostEqual(max(channels["dE"]), run["max_delta_e"], places=4)
+        self.assertEqual(attributes["reference"], b"a.exr")
+
+    def test_of_a_crop_it_lies_where_that_does(self):
+        self.render("a.exr", "--crop", "20,10,25,13")
+        self.render("b.exr", "--seed", "1")
+        for pair in [("a.exr", "b.exr"), ("b.exr", "a.exr")]:
+            self.photopic("diff", *pair, "--map", "map.exr")
+            attributes, channels = read_exr(self.folder / "map.exr")
+            self.assertEqual(struct.unpack("<4i", attributes["dataWindow"]), (20, 10, 24, 12))
+            self.assertEqual(struct.unpack("<4i", attributes["displayWindow"]), (0, 0, 39, 23))
+            self.assertEqual(len(channels["dE"]), 15)
+
+    def test_png_is_as_light_as_the_error_is_large(self):
+        """Of greys: L* and ΔE follow by hand. A map is read as what it is, a picture."""
+        self.write("black.exr", dict.fromkeys("RGB", 0))
+        self.photopic("diff", "black.exr", "black.exr", "--map", "none.png")
+        self.assertEqual(self.difference("black.exr", "none.png")["max_delta_e"], 0)
+        self.write("white.exr", dict.fromkeys("RGB", 1))
+        self.photopic("diff", "black.exr", "white.exr", "--map", "most.png")  # 100, far beyond the scale
+        self.assertLess(self.difference("white.exr", "most.png")["max_delta_e"], 0.5)
+        self.assertIn(b"tEXtscale\0black to white: CIEDE2000 of 0 to 10", (self.folder / "most.png").read_bytes())
+
+    def test_refused(self):
+        self.write("a.exr", GREY)
+        for name in ["map.jpg", "map.hdr", "map"]:
+            self.assert_refused(["diff", "a.exr", "a.exr", "--map", name], name, ".exr or .png")
+        self.assert_refused(["diff", "a.exr", "a.exr", "a.exr", "--map", "map.exr"], "--map map.exr", "not of 2")
+        self.assert_refused(["diff", "a.exr", "a.exr", "--map", "a.exr"], "overwritten")
+        self.assert_refused(["diff", "a.exr", "a.exr", "--map", "none/a.exr"], "none")
+
+
+class Exposure(DiffTest):
+    def test_is_before_delta_e_alone(self):
+        self.write("a.exr", GREY)
+        self.write("b.exr", {"R": 0.5, "G": 0.25, "B": 0.5})
+        self.write("a2.exr", dict.fromkeys("RGB", 2))
+        self.write("b2.exr", {"R": 2, "G": 1, "B": 2})
+        plain, bright = self.difference("a.exr", "b.exr"), self.difference("a2.exr", "b2.exr")
+        exposed = self.difference("a.exr", "b.exr", "--exposure", "2")
+        self.assertAlmostEqual(exposed["mean_delta_e"], bright["mean_delta_e"], places=4)
+        self.assertNotAlmostEqual(exposed["mean_delta_e"], plain["mean_delta_e"], places=1)
+        self.assertEqual(exposed["mse"], plain["mse"])
+        self.assertEqual(self.read_json("diff.json")["exposure"], 2)
+        self.assert_refused(["diff", "a.exr", "b.exr", "--exposure", "nan"], "--exposure")
 
 
 if __name__ == "__main__":

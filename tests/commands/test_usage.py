@@ -15,7 +15,7 @@ COMMANDS = {
     "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet "
     "--compare-wavelengths --nodes --reflectances",
     "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter --scene --camera",
-    "diff": "--json --threads --white --quiet",
+    "diff": "--json --threads --white --quiet --exposure --map",
     "info": "--emitter --resolution --scene --camera --threads --json --quiet",
     "spectrum": "--plot --json --quiet",
 }

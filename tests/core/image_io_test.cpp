@@ -290,6 +290,24 @@ TEST_F(ImageIo, AnExrTellsWhereItLies) {
   for (const char* name : {"a.exr", "a.png"}) EXPECT_TRUE(read_image_shape(folder_ / name).is_whole());
 }
 
+TEST_F(ImageIo, OneChannelIsGreyOrRefused) {
+  const std::vector<float> values{0.5f, -1.0f, 0.0f, 4.0f, 1e9f, 0.25f};
+  write_channel(folder_ / "grey.exr", "Y", {3, 2}, values, {{"white", "D65"}});
+  const Image grey = read_image(folder_ / "grey.exr");
+  for (std::size_t i = 0; i < grey.pixels.size(); ++i) EXPECT_EQ(grey.pixels[i], values[i / 3]) << i;
+  EXPECT_EQ(read_metadata(folder_ / "grey.exr").at("white"), "D65");
+  std::ofstream(folder_ / "grey.png", std::ios::binary)
+      << test::make_png(2, 1, test::PngColor::grey, {0, 255}, 8);
+  EXPECT_EQ(read_image(folder_ / "grey.png").pixels, (std::vector<float>{0, 0, 0, 1, 1, 1}));
+  write_channel(folder_ / "dE.exr", "dE", {3, 2}, values, {});
+  try {
+    read_image(folder_ / "dE.exr");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("not those of one picture: dE; give"), std::string::npos);
+  }
+}
+
 TEST_F(ImageIo, BadImagesAreRefused) {
   EXPECT_THROW(read_image(folder_ / "none.exr"), InputError);
   EXPECT_THROW(read_image(folder_), InputError);
