@@ -54,8 +54,12 @@ inline void bind_threads(CLI::App& command, int& threads) {
 }
 
 inline void bind_json(CLI::App& command, std::filesystem::path& json) {
-  command.add_option("--json", json, "Write the result for machines to read; standard output is /dev/stdout")
+  command
+      .add_option("--json", json,
+                  "Write the result for machines to read; - or /dev/stdout is standard output, where nothing "
+                  "else then goes")
       ->check(not_empty())
+      ->transform([](const std::string& name) { return name == "-" ? std::string("/dev/stdout") : name; }, "")
       ->type_name("FILE");
 }
 

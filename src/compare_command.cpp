@@ -143,8 +143,8 @@ int run_compare(const CompareArguments& arguments) {
   if (!arguments.report.empty()) write_report(setting, entries, comparison, attempt);
   if (!arguments.json.empty())
     attempt(arguments.json, [&] { write_json(arguments, scene.scene, comparison); });
-  print_out(format_comparison(comparison));
-  if (arguments.scene.stats)
+  if (prints_report(arguments.scene.quiet, arguments.json)) print_out(format_comparison(comparison));
+  if (arguments.scene.stats && prints_report(false, arguments.json))
     for (const Run& run : comparison.runs)
       print_out(fmt::format("{} means: {}\n", run.sampler, format_means(run)));
   if (!comparison.interrupted) return attempt.exit_code(kExitDone);

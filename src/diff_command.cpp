@@ -137,7 +137,7 @@ int run_diff(const DiffArguments& arguments) {
                                          {"runs", runs}};
     attempt(arguments.json, [&] { write_json_file(arguments.json, json); });
   }
-  if (!arguments.quiet) print_out(format_table(rows));
+  if (prints_report(arguments.quiet, arguments.json)) print_out(format_table(rows));
   return attempt.exit_code(kExitDone);
 }
 

@@ -187,9 +187,10 @@ int run_render(const RenderArguments& arguments) {
 
   if (!arguments.json.empty())
     attempt(arguments.json, [&] { write_json(arguments, scene.scene, run, times); });
-  if (options.stats)
+  const bool report = prints_report(options.quiet, arguments.json);
+  if (options.stats && prints_report(false, arguments.json))
     print_out(format_stats(scene.scene, run, times));
-  else if (run.stats.expected_delta_e && !options.quiet)
+  else if (run.stats.expected_delta_e && report)
     print_out(fmt::format("a mean ΔE of {:.3g} is expected, after {:.4g} samples a pixel\n",
                           *run.stats.expected_delta_e, run.mean_spp));
   if (!result.stats.stopped) return attempt.exit_code(kExitDone);

@@ -128,7 +128,7 @@ int run_spectrum(const SpectrumArguments& arguments) {
     if (!arguments.json.empty())
       attempt(arguments.json,
               [&] { write_json_file(arguments.json, lamp_json(name, given, lamp, digest(emission))); });
-    if (!arguments.quiet) print_out(format_lamp(name, given, lamp));
+    if (prints_report(arguments.quiet, arguments.json)) print_out(format_lamp(name, given, lamp));
   } catch (const std::invalid_argument& problem) {
     throw InputError(name, problem.what(), "give the spectrum of a lamp");
   }

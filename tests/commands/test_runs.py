@@ -333,7 +333,7 @@ class Compare(CommandTest):
         out = self.photopic(
             "compare", self.scene, "--emitter", "cie:FL11", "--distribution", "d.json", "--samplers", "uniform,optimized",
             "--spp", "8", "--reference-spp", "256", "--curve", "1,8", "--repeat", "2", "--report", "report",
-            "--json", "c.json", "--quiet",
+            "--json", "c.json",
         ).stdout  # fmt: skip
         self.assertEqual(out, (self.folder / "report/comparison.txt").read_text())
         for name in ["uniform", "optimized", "reference"]:
@@ -399,7 +399,7 @@ class Compare(CommandTest):
 
     def test_one_sample_has_no_variance(self):
         out = self.photopic("compare", self.scene, "--samplers", "uniform,visible", "--spp", "1", "--reference-spp", "2",
-                            "--json", "c.json", "--stats", "--quiet").stdout  # fmt: skip
+                            "--json", "c.json", "--stats").stdout  # fmt: skip
         self.assertNotIn("|z|", out)
         self.assertNotIn("inf", out)
         self.assertIn("± -", out)
