@@ -20,7 +20,8 @@ void print_note(const std::string& text);
 /// Lines on stdout.
 void print_out(std::string_view text);
 
-/// Whether stdout took all that was printed: a full disk may be behind it. What is missing is told on stderr.
+/// Whether stdout took all that was printed: a full disk may be behind it. What is missing is told on stderr,
+/// but for a reader that had enough.
 bool check_stdout();
 
 }  // namespace photopic
