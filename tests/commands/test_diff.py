@@ -1,4 +1,4 @@
-"""photopic diff: which channels and which window it compares, what it warns of, its map."""
+"""photopic diff: which channels and which window it compares, what it warns of, its map. Environments share the reader."""
 
 import struct
 import unittest
@@ -163,6 +163,33 @@ class Exposure(DiffTest):
         self.assertEqual(exposed["mse"], plain["mse"])
         self.assertEqual(self.read_json("diff.json")["exposure"], 2)
         self.assert_refused(["diff", "a.exr", "b.exr", "--exposure", "nan"], "--exposure")
+
+
+class Environments(DiffTest):
+    def warnings(self, name):
+        return self.photopic("render", self.scene, "-o", "a.exr", "--sampler", "uniform", "--spp", "1", "--quiet",
+                             "--environment", name).stderr  # fmt: skip
+
+    def test_are_twice_as_wide_as_high(self):
+        for size in [(8, 4), (9, 4), (1, 1), (1, 64)]:
+            self.write("sky.exr", GREY, *size)
+            self.assertEqual(self.warnings("sky.exr"), "", size)
+        self.write("sky.exr", GREY, 8, 8)
+        self.assertEqual(self.warnings("sky.exr"), "warning: sky.exr: is 8x8 pixels where an equirectangular map is twice as "
+                                                   "wide as high: it is stretched over the sky\n")  # fmt: skip
+
+    def test_are_whole(self):
+        self.write("part.exr", GREY, 8, 4, full=(16, 8))
+        self.assert_refused(["render", self.scene, "-o", "a.exr", "--environment", "part.exr"], "part.exr", "8x4", "16x8")
+
+    def test_may_be_grey(self):
+        self.write("grey.exr", {"Y": 0.5})
+        self.write("same.exr", GREY)
+        images = []
+        for name in ["grey.exr", "same.exr"]:
+            self.assertEqual(self.warnings(name), "")
+            images.append(read_exr(self.folder / "a.exr")[1])
+        self.assertEqual(*images)
 
 
 if __name__ == "__main__":

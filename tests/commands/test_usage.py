@@ -241,7 +241,8 @@ class Refused(CommandTest):
         result = self.photopic("render", dark, "-o", "out.exr", "--sampler", "illuminant", "--spp", "1", "--quiet")
         self.assertIn("nothing in", result.stderr)
         self.assertIn("lit by an overcast sky", result.stderr)
-        self.photopic("render", dark, "-o", "sky.hdr", "--sampler", "uniform", "--spp", "1", "--quiet")
+        self.photopic("render", dark, "-o", "sky.hdr", "--sampler", "uniform", "--spp", "1", "--quiet",
+                      "--resolution", "64x32")
         lit = self.photopic("render", dark, "-o", "lit.exr", "--sampler", "uniform", "--spp", "1", "--quiet",
                             "--environment", "sky.hdr", "--environment-rotation", "90", "--environment-strength", "2")  # fmt: skip
         self.assertNotIn("sky", lit.stderr)
