@@ -75,7 +75,8 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option(
           "--crop", a->crop,
           "Window to render and to write alone, of the same pixels as the whole picture's: from the top "
-          "left [pixels], X1 and Y1 just outside. An EXR says where it lies")
+          "left [pixels], X1 and Y1 just outside. An EXR says where it lies. --target-error judges the tiles "
+          "that its edge cuts by what is left of them: their numbers of samples may be others")
       ->check(not_empty())
       ->type_name("X0,Y0,X1,Y1");
   command
@@ -89,7 +90,7 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option(
           "--target-error", a->scene.target_error,
           "End each 16x16 pixels when their expected mean ΔE (CIEDE2000, 0 EV) is this or less; without "
-          "--spp however many samples that takes")
+          "--spp however many samples that takes. It is first judged at 32 samples a pixel")
       ->check(kDeltaE)
       ->type_name("ΔE");
   command.parse_complete_callback([a, &command] {

@@ -81,8 +81,12 @@ class Render(CommandTest):
         )
         run = self.read_json("b.json")
         self.assertLessEqual(run["expected_mean_delta_e"], 3)
-        few = ("--sampler", "uniform", "--target-error", "3", "--spp", "8", "--json", "few.json")
-        self.assertNotIn("expected", self.photopic("render", self.scene, "-o", "few.exr", *few).stdout)
+        self.assertNotIn("--target-error", self.photopic("render", self.scene, "-o", "b.exr", "--sampler", "uniform",
+                                                         "--target-error", "3", "--spp", "32").stderr)  # fmt: skip
+        few = ("--sampler", "uniform", "--target-error", "3", "--spp", "8", "--json", "few.json", "--quiet")
+        result = self.photopic("render", self.scene, "-o", "few.exr", *few)
+        self.assertNotIn("expected", result.stdout)
+        self.assertEqual(result.stderr, "warning: --target-error was not judged: that takes 32 samples a pixel, not 8\n")
         self.assertIsNone(self.read_json("few.json")["expected_mean_delta_e"])
         self.photopic("render", self.scene, "-o", "c.exr", "--sampler", "illuminant", "--spp", "4096", "--seed", "9")
         self.assertLess(self.mean_difference("c.exr", "b.exr"), 3.3)
