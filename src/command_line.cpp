@@ -132,12 +132,13 @@ void bind_info(CLI::App& app, std::function<int()>& action, int& threads) {
       "Example: photopic info box.gltf --json box.json");
 }
 
-void bind_spectrum(CLI::App& app, std::function<int()>& action) {
+void bind_spectrum(CLI::App& app, std::function<int()>& action, int& threads) {
   auto a = std::make_shared<SpectrumArguments>();
   CLI::App& command = *add_command(app, "spectrum", "Describe a lamp: its colour, temperature and lines",
                                    action, run_spectrum, a);
   command.add_option("SPECTRUM", a->spectrum, "The lamp's spectrum, see below")->required()->type_name("");
   command.add_option("--plot", a->plot, "Picture of the spectrum")->check(not_empty())->type_name("FILE.svg");
+  bind_threads(command, threads);
   bind_json(command, a->json);
   bind_quiet(command, a->quiet);
   command.footer(
@@ -195,7 +196,7 @@ void bind_commands(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_info(app, action, threads);
   bind_optimize(app, action, threads);
   bind_compare(app, action, threads);
-  bind_spectrum(app, action);
+  bind_spectrum(app, action, threads);
   bind_diff(app, action, threads);
 }
 

@@ -17,7 +17,7 @@ COMMANDS = {
     "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter --scene --camera",
     "diff": "--json --threads --white --quiet --exposure --map",
     "info": "--emitter --resolution --scene --camera --threads --json --quiet",
-    "spectrum": "--plot --json --quiet",
+    "spectrum": "--plot --json --quiet --threads",
 }
 
 
