@@ -127,12 +127,13 @@ int run_compare(const CompareArguments& arguments) {
   check_distribution(arguments);
   const int wavelengths = choose_wavelength_count(arguments.scene.wavelengths, arguments.scene.distribution);
   const PreparedScene scene(load_scene(arguments.scene, outputs));
+  const auto request = distribution_request(arguments.scene, scene, wavelengths, arguments.white);
   const Setting setting{arguments,
                         scene,
                         wavelengths,
-                        white_point(arguments.white, scene_emission(scene)),
+                        white_of(request.optimize.white, scene_emission(scene)),
                         white_balance("", standard_observer(arguments.scene), scene),
-                        distribution_request(arguments.scene, scene, wavelengths, arguments.white)};
+                        request};
 
   std::vector<Entry> entries = choose_samplers(setting);
   if (arguments.scene.exposure != 0.0 && arguments.report.empty())

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <stdexcept>
 
 #include "commands.h"
 #include "core/image_metrics.h"
@@ -14,6 +13,7 @@
 #include "spectral/observer.h"
 #include "spectral/spectrum_file.h"
 #include "text_table.h"
+#include "visible_lamp.h"
 
 namespace photopic {
 namespace {
@@ -21,14 +21,9 @@ namespace {
 /// As `compare` has it of a scene's lamps: at Y = 1.
 Xyz white_of(const std::string& spectrum) {
   if (spectrum == "D65") return d65_white();
-  try {
-    const Xyz white =
-        emission_xyz(tabulate_emission(parse_spectrum(spectrum, {}, Beyond::zero)), Observer::cie1931());
-    if (white.y > 0.0) return white * (1.0 / white.y);
-  } catch (const std::invalid_argument& problem) {
-    throw InputError("--white " + spectrum, problem.what(), "give the spectrum of a lamp");
-  }
-  throw InputError("--white " + spectrum, "gives no visible light", "give the spectrum of a lamp");
+  const auto lamp = visible_lamp(parse_spectrum(spectrum, {}, Beyond::zero), "--white " + spectrum);
+  const Xyz white = emission_xyz(lamp, Observer::cie1931());
+  return white * (1.0 / white.y);
 }
 
 void note_of_part(const ImageShape& part, const std::filesystem::path& whole) {

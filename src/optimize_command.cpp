@@ -4,7 +4,6 @@
 #include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "color_bar_plot.h"
 #include "commands.h"
@@ -20,22 +19,11 @@
 #include "spectral/lamp_set.h"
 #include "spectral/observer.h"
 #include "spectral/spectrum_file.h"
+#include "visible_lamp.h"
 #include "wavelength_comparison.h"
 
 namespace photopic {
 namespace {
-
-/// The lamp as a table that gives some visible light.
-TabulatedSpectrum read_lamp(const std::string& text) {
-  const Spectrum spectrum = parse_spectrum(text, {}, Beyond::zero);
-  try {
-    TabulatedSpectrum lamp = tabulate_emission(spectrum);
-    if (luminance(lamp) > 0.0) return lamp;
-  } catch (const std::invalid_argument& problem) {
-    throw InputError(text, problem.what(), "give the spectrum of a lamp");
-  }
-  throw InputError(text, "gives no visible light between 360 and 830 nm", "give the spectrum of a lamp");
-}
 
 /// Of powers; their ratios stay finite.
 constexpr double kLeastPower = 1e-100, kMostPower = 1e100;
@@ -80,7 +68,7 @@ std::vector<TabulatedSpectrum> read_lamps(const std::vector<std::string>& spectr
   std::vector<double> powers;
   for (const std::string& text : spectra) {
     const auto [spectrum, power] = parse_lamp(text);
-    lamps.push_back(read_lamp(spectrum));
+    lamps.push_back(visible_lamp(parse_spectrum(spectrum, {}, Beyond::zero), spectrum));
     powers.push_back(power);
   }
   return lamp_set(lamps, powers);

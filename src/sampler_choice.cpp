@@ -85,10 +85,6 @@ OptimizeOptions optimize_options(int wavelengths, std::string_view objective, st
   return options;
 }
 
-Xyz white_point(std::string_view name, const TabulatedSpectrum& emission) {
-  return white_of(white_named(name), emission);
-}
-
 DistributionRequest distribution_request(const SceneArguments& arguments, const PreparedScene& scene,
                                          int wavelengths, std::string_view white) {
   const OptimizeArguments standard;  // what `photopic optimize` does when not told otherwise

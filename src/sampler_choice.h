@@ -15,9 +15,6 @@ namespace photopic {
 OptimizeOptions optimize_options(int wavelengths, std::string_view objective, std::string_view effort,
                                  std::string_view white, std::uint32_t seed);
 
-/// The white of ΔE at Y = 1: "D65", or "illuminant": the colour of `emission`.
-Xyz white_point(std::string_view name, const TabulatedSpectrum& emission);
-
 /// How a render's optimised sampler comes by its distribution.
 struct DistributionRequest {
   std::string lamps;           ///< the scene's, as `photopic optimize` would take them

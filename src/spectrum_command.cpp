@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <utility>
 
 #include "commands.h"
@@ -13,6 +12,7 @@
 #include "spectral/spectrum_file.h"
 #include "spectrum_plot.h"
 #include "text_table.h"
+#include "visible_lamp.h"
 
 namespace photopic {
 namespace {
@@ -113,25 +113,19 @@ int run_spectrum(const SpectrumArguments& arguments) {
   check_no_overwriting({arguments.plot, arguments.json}, {arguments.spectrum});
   const std::string& name = arguments.spectrum;
   const Spectrum spectrum = parse_spectrum(name, {}, Beyond::zero);
+  const TabulatedSpectrum emission = visible_lamp(spectrum, name);
+  const LampDescription lamp = describe_lamp(emission);
+  const GivenTable given = given_table(spectrum);
   OutputAttempts attempt;
-  try {
-    const TabulatedSpectrum emission = tabulate_emission(spectrum);
-    const LampDescription lamp = describe_lamp(emission);
-    const GivenTable given = given_table(spectrum);
-    if (!arguments.plot.empty()) {
-      const std::string colors =
-          fmt::format("x {:.4f}, y {:.4f}; correlated colour temperature {}", lamp.chromaticity.x,
-                      lamp.chromaticity.y, temperature_text(lamp));
-      attempt(arguments.plot,
-              [&] { write_file(arguments.plot, spectrum_plot(emission, lamp, name, colors)); });
-    }
-    if (!arguments.json.empty())
-      attempt(arguments.json,
-              [&] { write_json_file(arguments.json, lamp_json(name, given, lamp, digest(emission))); });
-    if (prints_report(arguments.quiet, arguments.json)) print_out(format_lamp(name, given, lamp));
-  } catch (const std::invalid_argument& problem) {
-    throw InputError(name, problem.what(), "give the spectrum of a lamp");
+  if (!arguments.plot.empty()) {
+    const std::string colors = fmt::format("x {:.4f}, y {:.4f}; correlated colour temperature {}",
+                                           lamp.chromaticity.x, lamp.chromaticity.y, temperature_text(lamp));
+    attempt(arguments.plot, [&] { write_file(arguments.plot, spectrum_plot(emission, lamp, name, colors)); });
   }
+  if (!arguments.json.empty())
+    attempt(arguments.json,
+            [&] { write_json_file(arguments.json, lamp_json(name, given, lamp, digest(emission))); });
+  if (prints_report(arguments.quiet, arguments.json)) print_out(format_lamp(name, given, lamp));
   return attempt.exit_code(kExitDone);
 }
 

@@ -21,16 +21,14 @@ RTCRay make_ray(Vec3f origin, Vec3f direction, float t_max) {
   return ray;
 }
 
-constexpr std::size_t kPacket = kLanes;
-
 template <typename T, typename Vector>
 void store(T* to, Vector values) {
-  static_assert(sizeof(values) == kPacket * sizeof(T));
+  static_assert(sizeof(values) == kLanes * sizeof(T));
   std::memcpy(to, &values, sizeof(values));
 }
 
 /// Of the slots' rays those are valid that Embree takes. @return t_max
-Lanes load(const RayArray& rays, const Packet& slots, RTCRay16& packet, std::array<int, kPacket>& valid) {
+Lanes load(const RayArray& rays, const Packet& slots, RTCRay16& packet, std::array<int, kLanes>& valid) {
   const Vec3Lanes o = rays.origin.gather_vectors(slots);
   const auto [x, y, z, t_max] = rays.direction.gather(slots);
   const Vec3Lanes d{x, y, z};
@@ -73,11 +71,6 @@ Hit Accel::intersect(const Ray& ray) const {
   return make_hit(hit.geomID, hit.primID, hit.instID[0], hit.u, hit.v, found.tfar);
 }
 
-bool Accel::occluded(const Ray& ray, float t_max) const {
-  if (!is_traceable(ray)) return false;
-  return tree_->occluded(make_ray(ray.origin, ray.direction, t_max));
-}
-
 double Accel::radius() const {
   if (ranges_.empty()) return 0.0;
   RTCBounds b;
@@ -88,10 +81,10 @@ double Accel::radius() const {
 
 void Accel::intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits,
                       bool coherent) const {
-  for (std::size_t first = 0; first < slots.size(); first += kPacket) {
+  for (std::size_t first = 0; first < slots.size(); first += kLanes) {
     const Packet packet(slots, first);
     alignas(64) RTCRayHit16 query;
-    alignas(64) std::array<int, kPacket> valid;
+    alignas(64) std::array<int, kLanes> valid;
     load(rays, packet, query.ray, valid);
     store(query.ray.tfar, Lanes{} + std::numeric_limits<float>::infinity());
     store(query.hit.geomID, UintLanes{} + RTC_INVALID_GEOMETRY_ID);
@@ -128,10 +121,10 @@ void Accel::store_hits(const Query& query, const Packet& slots, std::span<Hit> h
 
 void Accel::occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
                      std::span<std::uint8_t> blocked) const {
-  for (std::size_t first = 0; first < slots.size(); first += kPacket) {
+  for (std::size_t first = 0; first < slots.size(); first += kLanes) {
     const Packet packet(slots, first);
     alignas(64) RTCRay16 query;
-    alignas(64) std::array<int, kPacket> valid;
+    alignas(64) std::array<int, kLanes> valid;
     store(query.tfar, load(rays, packet, query, valid));
     tree_->occluded(valid.data(), query);
     for (int i = 0; i < packet.count; ++i) blocked[packet[i]] = query.tfar[i] < 0.0f;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/quads.h"
+#include "core/ray.h"
 #include "core/row_array.h"
 #include "core/scene.h"
 
@@ -37,7 +38,7 @@ struct alignas(32) Hit {
   std::uint32_t triangle = kNoHit;       ///< index into Geometry::triangles
   std::uint32_t instance = kNoInstance;  ///< index into Geometry::instances, if the shape is a prototype's
   float u = 0, v = 0;                    ///< barycentric coordinates of the second and third vertex
-  float t = 0;
+  float t = 0;                           ///< in lengths of the ray's direction
 };
 
 struct Surface;
@@ -68,7 +69,6 @@ class Accel {
                 std::span<std::uint8_t> blocked) const;
 
   Hit intersect(const Ray& ray) const;
-  bool occluded(const Ray& ray, float t_max) const;
 
   /// All triangles that a ray meets at 0 < t < t_max, each once, in no order.
   /// @return how many are stored in `found`: where there are more than it holds, those that came first

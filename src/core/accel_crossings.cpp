@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 
 #include "core/accel_tree.h"
 
@@ -12,45 +11,31 @@ using Context = RTCRayQueryContext;
 using Context = RTCIntersectContext;
 #endif
 
-struct Crossing {
-  std::uint32_t geometry, primitive, instance;
-  float u, v, t;
-
-  bool is_second() const { return u + v > 1.0f; }  ///< of a pair's triangles
-  bool same_triangle(const Crossing& c) const {
-    return geometry == c.geometry && primitive == c.primitive && instance == c.instance &&
-           is_second() == c.is_second();
-  }
-};
-
 /// What a query has met so far. Embree hands its first member to the filter.
 struct Query {
   Context context;
-  std::span<Crossing> room;
+  const Accel& accel;
+  std::span<Hit> found;
   std::size_t count;
-
-  /// Keeps each hit and takes none, so that the ray goes on. (Split triangles may be met twice.)
-  static void keep(const RTCFilterFunctionNArguments* a) {
-    if (a->valid[0] == 0) return;
-    a->valid[0] = 0;
-    Query& q = *reinterpret_cast<Query*>(a->context);
-    const Crossing c{RTCHitN_geomID(a->hit, 1, 0),    RTCHitN_primID(a->hit, 1, 0),
-                     RTCHitN_instID(a->hit, 1, 0, 0), RTCHitN_u(a->hit, 1, 0),
-                     RTCHitN_v(a->hit, 1, 0),         RTCRayN_tfar(a->ray, 1, 0)};
-    const auto met = q.room.first(q.count);
-    if (q.count == q.room.size() || std::ranges::any_of(met, [&](auto& m) { return m.same_triangle(c); }))
-      return;
-    q.room[q.count++] = c;
-  }
 };
 
 }  // namespace
 
 std::size_t Accel::crossings(const Ray& ray, float t_max, std::span<Hit> found) const {
   if (!is_traceable(ray)) return 0;
-  constexpr std::size_t kMost = 32;
-  std::array<Crossing, kMost> room;
-  Query query{{}, std::span(room).first(std::min(kMost, found.size())), 0};
+  // Keeps each hit and takes none, so that the ray goes on. (Split triangles may be met twice.)
+  const auto keep = [](const RTCFilterFunctionNArguments* a) {
+    if (a->valid[0] == 0) return;
+    a->valid[0] = 0;
+    Query& q = *reinterpret_cast<Query*>(a->context);
+    const Hit hit = q.accel.make_hit(RTCHitN_geomID(a->hit, 1, 0), RTCHitN_primID(a->hit, 1, 0),
+                                     RTCHitN_instID(a->hit, 1, 0, 0), RTCHitN_u(a->hit, 1, 0),
+                                     RTCHitN_v(a->hit, 1, 0), RTCRayN_tfar(a->ray, 1, 0));
+    const auto same = [&](const Hit& h) { return h.triangle == hit.triangle && h.instance == hit.instance; };
+    if (q.count < q.found.size() && std::ranges::none_of(q.found.first(q.count), same))
+      q.found[q.count++] = hit;
+  };
+  Query query{{}, *this, found, 0};
   RTCRayHit hit{};
   hit.ray.org_x = ray.origin.x, hit.ray.org_y = ray.origin.y, hit.ray.org_z = ray.origin.z;
   hit.ray.dir_x = ray.direction.x, hit.ray.dir_y = ray.direction.y, hit.ray.dir_z = ray.direction.z;
@@ -60,19 +45,15 @@ std::size_t Accel::crossings(const Ray& ray, float t_max, std::span<Hit> found) 
   rtcInitRayQueryContext(&query.context);
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
-  arguments.context = &query.context, arguments.filter = Query::keep;
+  arguments.context = &query.context, arguments.filter = keep;
   arguments.flags =
       static_cast<RTCRayQueryFlags>(arguments.flags | RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER);
   rtcIntersect1(tree_->scene(), &hit, &arguments);
 #else
   rtcInitIntersectContext(&query.context);
-  query.context.filter = Query::keep;
+  query.context.filter = keep;
   rtcIntersect1(tree_->scene(), &query.context, &hit);
 #endif
-  for (std::size_t i = 0; i < query.count; ++i) {
-    const Crossing& c = room[i];
-    found[i] = make_hit(c.geometry, c.primitive, c.instance, c.u, c.v, c.t);
-  }
   return query.count;
 }
 

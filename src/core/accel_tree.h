@@ -74,17 +74,6 @@ class Accel::Tree {
 #endif
   }
 
-  bool occluded(RTCRay ray) const {
-#if RTC_VERSION_MAJOR >= 4
-    rtcOccluded1(scene(), &ray);
-#else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded1(scene(), &context, &ray);
-#endif
-    return ray.tfar < 0.0f;
-  }
-
  private:
   struct Sieve;
 

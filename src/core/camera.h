@@ -1,28 +1,9 @@
 #pragma once
 
-#include "core/math.h"
+#include "core/ray.h"
 #include "core/sampling.h"
 
 namespace photopic {
-
-/// A ray with a unit direction; t is in metres along it.
-template <typename T>
-struct BasicRay {
-  Vec3<T> origin;
-  Vec3<T> direction;
-};
-using Ray = BasicRay<float>;
-using RayLanes = BasicRay<Lanes>;
-
-/// How far coordinates of rays may go [m]: Embree takes 1.8e18, of instances in the space of their prototype.
-inline constexpr float kFarthest = 3e13f;
-
-/// Whether a ray can be traced: it is finite and not too far away.
-template <typename T>
-auto is_traceable(const BasicRay<T>& ray) {
-  const auto extent = [](const Vec3<T>& a) { return abs(a.x) + abs(a.y) + abs(a.z); };
-  return extent(ray.origin) + extent(ray.direction) < kFarthest;
-}
 
 /// glTF's cameras: look down −z, +y up, square pixels; perspective or orthographic, with a pinhole or a thin
 /// lens (Pharr et al. 2023, section 5.2.3).
@@ -39,8 +20,12 @@ struct Camera {
   bool has_lens() const { return aperture_radius > 0.0f; }
 
   /// The pinhole's ray through film position (x, y) in pixels, (0, 0) the top left corner of the film.
-  Ray ray(float x, float y) const { return pinhole_ray(x, y); }
-  RayLanes ray(const Lanes& x, const Lanes& y) const { return pinhole_ray(x, y); }
+  template <typename T>
+  BasicRay<T> ray(T x, T y) const {
+    const Vec3<T> offset = film_offset(x, y), behind = broadcast<T>(back), eye = broadcast<T>(position);
+    if (orthographic()) return {eye + offset, -behind};
+    return {eye, normalize(offset - behind)};
+  }
 
   /// The ray through a point of the lens, drawn uniformly by u, to where the pinhole's meets the plane of
   /// focus.
@@ -53,13 +38,6 @@ struct Camera {
   }
 
  private:
-  template <typename T>
-  BasicRay<T> pinhole_ray(T x, T y) const {
-    const Vec3<T> offset = film_offset(x, y), behind = broadcast<T>(back), eye = broadcast<T>(position);
-    if (orthographic()) return {eye + offset, -behind};
-    return {eye, normalize(offset - behind)};
-  }
-
   /// From the view's middle, in the plane at distance 1 or, orthographic, of the camera itself.
   template <typename T>
   Vec3<T> film_offset(T x, T y) const {

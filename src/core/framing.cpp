@@ -1,29 +1,26 @@
 #include "core/framing.h"
 
-#include "core/box.h"
-
 namespace photopic {
 namespace {
 
 template <typename Visit>
-void for_each_corner(const Geometry& geometry, std::size_t first_shape, std::size_t count,
-                     const Visit& visit) {
-  for (std::size_t s = first_shape; s < first_shape + count; ++s) {
-    const Shape& shape = geometry.shapes[s];
-    for (std::uint32_t i = 0; i < shape.triangle_count; ++i)
-      for (const std::uint32_t corner : geometry.triangles[shape.first_triangle + i])
-        visit(geometry.positions[corner]);
-  }
+void for_each_corner(const Geometry& geometry, const Shape& shape, const Visit& visit) {
+  for (std::uint32_t i = 0; i < shape.triangle_count; ++i)
+    for (const std::uint32_t corner : geometry.triangles[shape.first_triangle + i])
+      visit(geometry.positions[corner]);
 }
 
 /// Calls visit(point) for every corner of a triangle in the world, and of an instance's box.
 template <typename Visit>
 void for_each_point(const Geometry& geometry, const Visit& visit) {
-  for_each_corner(geometry, 0, geometry.baked_shape_count(), visit);
+  for (std::size_t s = 0; s < geometry.baked_shape_count(); ++s)
+    for_each_corner(geometry, geometry.shapes[s], visit);
   std::vector<Boxf> boxes(geometry.prototypes.size());
-  for (std::size_t p = 0; p < boxes.size(); ++p)
-    for_each_corner(geometry, geometry.prototypes[p].first_shape, geometry.prototypes[p].shape_count,
-                    [&](Vec3f point) { boxes[p].add(point); });
+  for (std::size_t p = 0; p < boxes.size(); ++p) {
+    const Prototype& prototype = geometry.prototypes[p];
+    for (std::size_t s = 0; s < prototype.shape_count; ++s)
+      boxes[p].add(box_of(geometry, geometry.shapes[prototype.first_shape + s]));
+  }
   for (const Instance& instance : geometry.instances) {
     const Boxf& box = boxes[instance.prototype];
     if (box.is_empty()) continue;
@@ -32,6 +29,12 @@ void for_each_point(const Geometry& geometry, const Visit& visit) {
 }
 
 }  // namespace
+
+Boxf box_of(const Geometry& geometry, const Shape& shape) {
+  Boxf box;
+  for_each_corner(geometry, shape, [&](Vec3f point) { box.add(point); });
+  return box;
+}
 
 BoundingBox bounding_box(const Geometry& geometry) {
   Boxf box;

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "core/box.h"
 #include "core/scene.h"
 
 namespace photopic {
+
+/// Around a shape's triangles [m], in the space that they were modelled in; empty without any.
+Boxf box_of(const Geometry& geometry, const Shape& shape);
 
 /// The box that holds every triangle (of instances: their prototypes' boxes), relative to Scene::origin [m];
 /// zero without any.

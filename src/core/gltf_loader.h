@@ -23,8 +23,7 @@ struct GltfOptions {
   int width = 0, height = 0;    ///< 0: the camera's `extras.resolution`, else 640 wide by its aspect
   double punctual_scale = 1.0;  ///< factor on the intensities of KHR_lights_punctual
   EnvironmentOptions environment{};
-  bool solid_glass = false;       ///< transmission of closed meshes refracts, KHR_materials_volume or not
-  bool allow_incomplete = false;  ///< no light gets no sky
+  bool solid_glass = false;  ///< transmission of closed meshes refracts, KHR_materials_volume or not
 };
 
 /// Loads a scene of a .gltf or .glb file. Everything read from the file is checked before it is

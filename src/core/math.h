@@ -70,9 +70,6 @@ template <typename T>
 Vec3<T> broadcast(Vec3f v) {
   return {T{} + v.x, T{} + v.y, T{} + v.z};
 }
-inline Vec3Lanes to_lanes(Vec3f v) {
-  return broadcast<Lanes>(v);
-}
 template <typename T>
 Vec3f lane(const Vec3<T>& v, int i) {
   return {lane(v.x, i), lane(v.y, i), lane(v.z, i)};

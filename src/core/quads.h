@@ -21,20 +21,20 @@ struct PrimitiveRange {
 
   /// Of one hit, or of 16.
   template <typename U, typename T>
-  struct Place {
+  struct TriangleHit {
     U triangle;  ///< index into Geometry::triangles
     T u, v;      ///< barycentric coordinates of its second and third corner
   };
   /// @param first, pairs a range's numbers
   /// @param u and v as Embree has them: across a quadrilateral from its corner 0 to 1 and to 3
   template <typename U, typename T>
-  static Place<U, T> locate(U first, U pairs, U primitive, T u, T v) {
+  static TriangleHit<U, T> locate(U first, U pairs, U primitive, T u, T v) {
     const auto second = (primitive < pairs) & (u + v > 1.0f);
     const U in_pair = 2u * primitive + (second ? U{} + 1u : U{});
     return {first + (primitive < pairs ? in_pair : pairs + primitive), select(second, 1.0f - u, u),
             select(second, 1.0f - v, v)};
   }
-  Place<std::uint32_t, float> locate(std::uint32_t primitive, float u, float v) const {
+  TriangleHit<std::uint32_t, float> locate(std::uint32_t primitive, float u, float v) const {
     return locate(first_triangle, pairs, primitive, u, v);
   }
 };

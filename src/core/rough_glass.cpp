@@ -4,9 +4,9 @@
 #include <map>
 #include <tuple>
 
-#include "core/box.h"
 #include "core/bsdf/albedo_axes.h"
 #include "core/bsdf/microfacet.h"
+#include "core/framing.h"
 
 namespace photopic {
 namespace {
@@ -46,14 +46,6 @@ bool is_rough_glass(const Surface& s) {
 
 bool may_surround(const Surface& around, const Surface& glass) {
   return &around != &glass && around.encloses && around.priority <= glass.priority;
-}
-
-Boxf box_of(const Geometry& geometry, const Shape& shape) {
-  Boxf box;
-  for (std::uint32_t i = 0; i < shape.triangle_count; ++i)
-    for (const std::uint32_t corner : geometry.triangles[shape.first_triangle + i])
-      box.add(geometry.positions[corner]);
-  return box;
 }
 
 /// Around all that is of each solid, in the world; empty for other surfaces.

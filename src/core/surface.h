@@ -37,7 +37,7 @@ struct Surface {
   bool partly_covers;     ///< rays may pass where alpha is below 1
 
   Spectrum base_color, specular_color;
-  Vec3f base_factor, specular_color_factor;
+  Vec3f base_factor, specular_color_factor;  ///< linear sRGB, on textures and vertex colours
   bool base_is_measured;
   bool has_vertex_colors;
   std::shared_ptr<const MaterialTextures> textures;  ///< or none
@@ -50,14 +50,14 @@ struct Surface {
   float specular, specular_scale;
   float ior;
   Spectrum attenuation_color;
-  float attenuation_distance;
-  int priority;                                          ///< of the medium
+  float attenuation_distance;  ///< [m], over which attenuation_color is left; 0: no absorption
+  int priority;                ///< of the medium; where solids overlap the highest is there
   std::shared_ptr<const GlassAlbedo> glass_albedo{};     ///< null where no rough glass refracts
   std::shared_ptr<const MaterialExtensions> extensions;  ///< null where the material has none
 
-  int emission_spectrum;
-  float emission_luminance;
-  Vec3f emissive_factor;
+  int emission_spectrum;     ///< index into Scene::emission_spectra
+  float emission_luminance;  ///< [cd/m²]
+  Vec3f emissive_factor;     ///< linear sRGB, on textures
   bool emission_is_measured;
   bool unlit;
 

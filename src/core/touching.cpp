@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "core/accel.h"
-#include "core/box.h"
+#include "core/framing.h"
 #include "core/surface_point.h"
 
 namespace photopic {
@@ -229,9 +229,7 @@ std::vector<Item> list_solids(const Geometry& geometry, std::span<const Surface>
 Boxf box_of_others(const Geometry& geometry, std::span<const Surface> surfaces, const Prototype& prototype) {
   Boxf box;
   for (const Shape& shape : shapes_of(geometry, prototype))
-    for (std::uint32_t i = 0; !surfaces[shape.material].encloses && i < shape.triangle_count; ++i)
-      for (const std::uint32_t corner : geometry.triangles[shape.first_triangle + i])
-        box.add(geometry.positions[corner]);
+    if (!surfaces[shape.material].encloses) box.add(box_of(geometry, shape));
   return box;
 }
 

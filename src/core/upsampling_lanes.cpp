@@ -13,7 +13,7 @@ Lanes unit(Lanes v) {
 
 /// As constant_sigmoid. @param value in [0, 1]
 Lanes grey(Lanes value) {
-  const Lanes most = Lanes{} + 1e5f, y = (value - 0.5f) / sqrt(value * (1.0f - value));
+  const Lanes most = Lanes{} + SigmoidPolynomial::kWhite, y = (value - 0.5f) / sqrt(value * (1.0f - value));
   return max(min(y, most), -most);
 }
 

@@ -122,6 +122,8 @@ class Place {
     return b.depth - a.depth < error_ && a.boundary.material > b.boundary.material;
   }
 
+  /// Within what rounding leaves of barycentric coordinates: sixteen units in the last place of 1, as in
+  /// kPositionError.
   static bool on_edge(const Hit& h) { return std::min({h.u, h.v, 1.0f - h.u - h.v}) < 1e-6f; }
 
   /// Out of a material and into the same; and twice into it (or out) through one edge.

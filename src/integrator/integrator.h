@@ -31,13 +31,14 @@ struct RenderOptions {
   const std::atomic<bool>* stop = nullptr;  ///< set by another thread or a signal: return what is done so far
   Progress* progress = nullptr;             ///< advanced by samples
   FurtherFilms further{};                   ///< fed as the film is; not by the oracle
-  bool time_stages = false;                 ///< fill RenderStats::stages; for benchmarks
+  StageWatch* watch = nullptr;              ///< told of stages by every thread; for benchmarks
 };
 
 struct RenderStats {
   double seconds = 0;  ///< wall clock
   std::uint64_t paths = 0;
-  std::uint64_t rays = 0;  ///< nearest-hit rays
+  std::uint64_t rays = 0;  ///< nearest-hit rays, but for those that look for panes, hidden lamps and the
+                           ///< media around a point
   std::uint64_t shadow_rays = 0;
   std::uint64_t split_paths = 0;      ///< paths that went on with one wavelength after dispersion
   std::uint64_t media_overflows = 0;  ///< paths that were in more media at once, or met more surfaces in one
@@ -48,7 +49,6 @@ struct RenderStats {
   std::optional<double> expected_delta_e{};  ///< mean over the image; where a target_error was set and more
                                              ///< samples were taken than a stratified run
   bool stopped = false;                      ///< by RenderOptions::stop
-  StageSeconds stages{};                     ///< all 0 unless RenderOptions::time_stages
 
   RenderStats& operator+=(const RenderStats& other) {
     paths += other.paths;
@@ -59,7 +59,6 @@ struct RenderStats {
     media_slips += other.media_slips;
     non_finite += other.non_finite;
     non_finite_causes += other.non_finite_causes;
-    for (std::size_t i = 0; i < kStages; ++i) stages[i] += other.stages[i];
     return *this;
   }
 };

@@ -4,7 +4,9 @@
 
 #include "integrator/vertex.h"
 #include "integrator/with_bsdf.h"
+#include "spectral/path_wavelengths.h"
 #include "spectral/rgb_light.h"
+#include "spectral/wavelength_sampler.h"
 
 namespace photopic {
 namespace {
@@ -27,6 +29,29 @@ std::optional<Step<N>> step(const Vertex<N, Bsdf>& vertex, const PathMedia& medi
   return Step<N>{point.leave(s->wi), s->wi, s->weight, vertex.is_inwards(s->wi), s->split};
 }
 
+/// One by one, where the batches look up 16 paths at once.
+template <int N>
+PathWavelengths<N> look_up(const SampledWavelengths<N>& w, const Observer& observer) {
+  PathWavelengths<N> path;
+  for (int j = 0; j < N; ++j) {
+    const double lambda = w.lambda[j], weight = 1.0 / w.density_sum[j];
+    const Xyz h = observer(lambda) * (weight / observer.y_integral());
+    path.lambda.v[j] = static_cast<float>(lambda);
+    path.weight.v[j] = static_cast<float>(weight);
+    path.xyz_per_radiance[0].v[j] = static_cast<float>(h.x);
+    path.xyz_per_radiance[1].v[j] = static_cast<float>(h.y);
+    path.xyz_per_radiance[2].v[j] = static_cast<float>(h.z);
+  }
+  return path;
+}
+
+template <int N>
+SampledSpectrum<N> sample_emission(const TabulatedSpectrum& emission, const SampledWavelengths<N>& w) {
+  SampledSpectrum<N> result;
+  for (int j = 0; j < N; ++j) result.v[j] = static_cast<float>(emission(w.lambda[j]));
+  return result;
+}
+
 }  // namespace
 
 template <int N>
@@ -44,7 +69,7 @@ void NaivePathTracer<N>::trace(std::span<const PathKey> paths, Film& film) {
 template <int N>
 Xyz NaivePathTracer<N>::trace(const PathKey& path) {
   const SampleStream stream(options_.sequence, options_.seed, path.pixel, path.sample);
-  const auto sampled = sample_wavelengths<N>(sampler_, wavelength_u(stream));
+  const auto sampled = sample_wavelengths<N>(sampler_, stream.get_1d_fine(kWavelength));
   const PathWavelengths<N> wavelengths = look_up(sampled, *options_.observer);
   const SampledSpectrum<N> lambda = wavelengths.lambda;
 
@@ -78,9 +103,10 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
 
     // Light from the surface itself.
     const Surface& surface = scene_.surfaces[scene_.shapes[hit.shape].material];
-    const ShadingMaterial<N> material(surface, lambda, {scene_.scene.geometry, hit});
-    const Vec3f normal = surface_point(scene_.scene.geometry, hit).geometric_normal;
-    if (surface.emits && !media.hidden() && (surface.double_sided || dot(normal, ray.direction) < 0.0f)) {
+    const Surface* outside = surface_of(scene_, media.outside());
+    const ShadingMaterial<N> material(surface, lambda, {scene_.scene.geometry, hit}, outside);
+    const bool shines = surface.double_sided || meets_front(scene_.scene.geometry, hit, ray.direction);
+    if (surface.emits && !media.hidden() && shines) {
       const auto& spectrum =
           scene_.scene.emission_spectra[static_cast<std::size_t>(surface.emission_spectrum)];
       radiance += throughput * sample_emission<N>(spectrum, sampled) * material.emission_tint() *
@@ -97,9 +123,7 @@ Xyz NaivePathTracer<N>::trace(const PathKey& path) {
     const float u_lobe = stream.get_1d(bounce_dimension(depth, kBsdfLobe));
     const Sample2d u = stream.get_2d(bounce_dimension(depth, kBsdfDirection));
     const Vec3f wo = -ray.direction;
-    const Surface* outside = surface_of(scene_, media.outside());
-    const BsdfKind kind = ShadingMaterial<N>(surface, lambda, {scene_.scene.geometry, hit}, outside)
-                              .choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)));
+    const BsdfKind kind = material.choose_kind(stream.get_1d(bounce_dimension(depth, kBsdfChoice)));
     std::optional<Step<N>> next;
     with_bsdf<N>(kind, [&]<typename Bsdf>(std::type_identity<Bsdf>) {
       next = step(Vertex<N, Bsdf>(scene_, hit, wo, lambda, throughput, outside), media, u_lobe, u);

@@ -11,6 +11,7 @@
 #include "integrator/media.h"
 #include "integrator/path_start.h"
 #include "integrator/slot_queue.h"
+#include "spectral/path_wavelengths.h"
 #include "spectral/rgb_light.h"
 
 namespace photopic {
@@ -98,8 +99,8 @@ struct PathBatch {
   std::vector<float> eta_scale;  ///< η² of the interfaces crossed: what roulette must not mistake for loss
   std::vector<PathMedia> media;  ///< empty where the scene has none
 
-  /// The last one's position (where rays start is a little off it), and the density of the direction in which
-  /// the path went on from there [1/sr]; 0: it was a delta, or the camera's.
+  /// The last vertex's position [m] (where rays start is a little off it), and the density of the direction
+  /// in which the path went on from there [1/sr]; 0: it was a delta, or the camera's.
   RowArray vertex;
   RowArray normal;                     ///< of the last vertex, where lights are chosen by it
   std::vector<float> spectrum_choice;  ///< see spectra_of

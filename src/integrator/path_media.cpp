@@ -52,7 +52,7 @@ bool PathTracer<N, kHas>::is_hidden_lamp(std::uint32_t slot) const {
   media.go_on(dot(ray.direction, vertex.geometric_normal) < 0.0f);
   if (media.current() == PathMedia::kVacuum) return false;
   Hit hit = scene_.accel.intersect(ray);
-  // The ray ends beside the lamp by as much as rounding does.
+  // The ray ends beside the lamp by what rounding may be, which is far below a hundredth of its length.
   const float end = 1.01f * batch_.shadow_rays.t_max(slot);
   if (hit.shape == kNoHit || !(hit.t < end) || !is_hideable(scene_.shapes[hit.shape])) return false;
   const float distance = length(ray.direction);

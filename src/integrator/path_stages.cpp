@@ -28,12 +28,10 @@ PathTracer<N, kHas>::PathTracer(const PreparedScene& scene, const CompiledSample
 
 template <int N, Features kHas>
 void PathTracer<N, kHas>::trace(std::span<const PathKey> paths, Film& film) {
-  StageClock clock(stats_.stages);
-  if (options_.time_stages) watch_ = &clock;
+  done(kStageBetween);
   advance(paths);
   finish(paths, film);
   done(kStageFilm);
-  watch_ = nullptr;
 }
 
 template <int N, Features kHas>

@@ -58,7 +58,7 @@ class PathTracer {
   PathMedia camera_media_;  ///< around the camera
   bool hides_lamps_;        ///< some lamp may lie unseen in glass
   RenderStats stats_;
-  StageWatch* watch_ = nullptr;  ///< or none
+  StageWatch* watch_ = options_.watch;  ///< or none
 };
 
 }  // namespace photopic

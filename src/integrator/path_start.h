@@ -1,11 +1,9 @@
 #pragma once
 
-#include <vector>
+#include <cstdint>
 
 #include "core/camera.h"
 #include "core/sample_sequence.h"
-#include "spectral/path_wavelengths.h"
-#include "spectral/wavelength_sampler.h"
 
 namespace photopic {
 
@@ -31,13 +29,6 @@ inline std::uint32_t bounce_dimension(int depth, BounceDimension which) {
   return kFirstBounce + static_cast<std::uint32_t>(depth) * kPerBounce + which;
 }
 
-template <int N>
-SampledSpectrum<N> sample_emission(const TabulatedSpectrum& emission, const SampledWavelengths<N>& w) {
-  SampledSpectrum<N> result;
-  for (int j = 0; j < N; ++j) result.v[j] = static_cast<float>(emission(w.lambda[j]));
-  return result;
-}
-
 /// The camera ray of a sample: box filter over the pixel.
 inline Ray camera_ray(const Camera& camera, std::uint32_t pixel, const SampleStream& stream) {
   const auto width = static_cast<std::uint32_t>(camera.width);
@@ -60,11 +51,6 @@ inline RayLanes camera_rays(const Camera& camera, UintLanes pixel, const SampleS
     set_lane(rays.origin, i, ray.origin), set_lane(rays.direction, i, ray.direction);
   }
   return rays;
-}
-
-/// The u in [0, 1) that all wavelengths of a path come from.
-inline double wavelength_u(const SampleStream& stream) {
-  return stream.get_1d_fine(kWavelength);
 }
 
 }  // namespace photopic

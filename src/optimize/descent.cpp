@@ -4,37 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <exception>
 #include <limits>
 #include <memory>
 #include <new>
-#include <stdexcept>
 
 namespace photopic {
 namespace {
 
-constexpr unsigned kMemory = 20;  ///< steps that L-BFGS remembers; NLopt's own choice is hundreds, and slow
-
-nlopt_algorithm nlopt_name(Algorithm algorithm) {
-  switch (algorithm) {
-    case Algorithm::lbfgs:
-      return NLOPT_LD_LBFGS;
-    case Algorithm::mma:
-      return NLOPT_LD_MMA;
-    case Algorithm::ccsaq:
-      return NLOPT_LD_CCSAQ;
-    case Algorithm::slsqp:
-      return NLOPT_LD_SLSQP;
-    case Algorithm::var2:
-      return NLOPT_LD_VAR2;
-    case Algorithm::tnewton:
-      return NLOPT_LD_TNEWTON_PRECOND_RESTART;
-    case Algorithm::sbplx:
-      return NLOPT_LN_SBPLX;
-  }
-  throw std::invalid_argument("no such algorithm");
-}
+constexpr unsigned kMemory = 20;  ///< steps remembered; NLopt's own choice is hundreds, and slow
 
 /// What NLopt calls: remembers the best point, since NLopt may end anywhere and report a failure.
 struct Watched {
@@ -42,22 +20,16 @@ struct Watched {
   const DescentLimits& limits;
   nlopt_opt solver;
   Descent& descent;
-  std::clock_t begin = std::clock();
   bool stopped = false;
   std::exception_ptr thrown = {};
 
   double operator()(std::span<const double> v, std::span<double> gradient) {
-    if (must_end()) return end();
+    if (limits.stop && limits.stop->load(std::memory_order_relaxed)) return end();
     ++descent.evaluations;
     const double value = function(v, gradient);
     if (!std::isfinite(value)) return HUGE_VAL;
     if (value < descent.value) descent.value = value, descent.v.assign(v.begin(), v.end());
     return value;
-  }
-  bool must_end() const {
-    if (limits.stop && limits.stop->load(std::memory_order_relaxed)) return true;
-    return limits.seconds > 0.0 &&
-           static_cast<double>(std::clock() - begin) > limits.seconds * CLOCKS_PER_SEC;
   }
   double end() {
     stopped = true;
@@ -82,7 +54,7 @@ struct Watched {
 Descent descend(const Differentiable& function, std::vector<double> v, const DescentLimits& limits) {
   for (double& x : v) x = std::clamp(x, kLowestUnknown, kHighestUnknown);
   const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> solver(
-      nlopt_create(nlopt_name(limits.algorithm), static_cast<unsigned>(v.size())), nlopt_destroy);
+      nlopt_create(NLOPT_LD_LBFGS, static_cast<unsigned>(v.size())), nlopt_destroy);
   if (!solver) throw std::bad_alloc();
 
   Descent descent{.v = v, .value = std::numeric_limits<double>::infinity(), .note = {}};

@@ -11,17 +11,10 @@ namespace photopic {
 /// A function of v and its gradient (empty where it is not wanted).
 using Differentiable = std::function<double(std::span<const double> v, std::span<double> gradient)>;
 
-/// NLopt's algorithms that bounded problems of some hundred unknowns may be given to (Johnson, The NLopt
-/// nonlinear-optimization package). All but `sbplx` use the gradient. What they reach is in
-/// docs/optimiser.md.
-enum class Algorithm { lbfgs, mma, ccsaq, slsqp, var2, tnewton, sbplx };
-
 /// When a descent ends.
 struct DescentLimits {
-  int evaluations;         ///< at most
-  double tolerance = 0.0;  ///< relative change of the value at which it ends; 0: never
-  double seconds = 0.0;    ///< of the process's processor time; 0: no clock, as repeatable results want it
-  Algorithm algorithm = Algorithm::lbfgs;
+  int evaluations;                          ///< at most
+  double tolerance = 0.0;                   ///< relative change of the value at which it ends; 0: never
   const std::atomic<bool>* stop = nullptr;  ///< once true, it ends before the next evaluation
 };
 
@@ -37,8 +30,8 @@ struct Descent {
 /// The bounds of each unknown.
 inline constexpr double kLowestUnknown = -18.0, kHighestUnknown = 5.0;
 
-/// Minimises from v, which is brought within the bounds first. A value that is not finite counts as infinite;
-/// what the function throws comes through.
+/// Minimises by NLopt's L-BFGS (what others reach is in docs/optimiser.md) from v, which is brought within
+/// the bounds first. A value that is not finite counts as infinite; what the function throws comes through.
 Descent descend(const Differentiable& function, std::vector<double> v, const DescentLimits& limits);
 
 }  // namespace photopic

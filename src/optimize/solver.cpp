@@ -50,7 +50,7 @@ Targets make_targets(std::span<const TabulatedSpectrum> emissions, const Optimiz
   return targets;
 }
 
-WavelengthDistribution::Targets describe_targets(const OptimizeOptions& options) {
+WavelengthDistribution::TargetRecord describe_targets(const OptimizeOptions& options) {
   const bool all = options.objective == Objective::asymptotic;
   return {.white = options.white == White::d65 ? "D65" : "illuminant",
           .constructed = all ? options.target_count : 1,
@@ -89,7 +89,8 @@ OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emission
 
   std::optional<OnBase> found;
   for (const double share : shares) {
-    OnBase next = search_with(base_density(targets.mixed, 0.02, share), targets, settings, progress);
+    OnBase next =
+        search_with(base_density(targets.mixed, kDefensiveShare, share), targets, settings, progress);
     if (!found || next.best.distribution.value < found->best.distribution.value) found = std::move(next);
   }
   Selected& best = found->best;
@@ -102,11 +103,6 @@ OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emission
           .seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
           .solver_failed = best.failed,
           .solver_note = std::move(best.note)};
-}
-
-OptimizeResult optimize_distribution(const TabulatedSpectrum& emission, const OptimizeOptions& options,
-                                     const std::function<void(double)>& report) {
-  return optimize_distribution(std::span(&emission, 1), options, report);
 }
 
 }  // namespace photopic

@@ -43,18 +43,14 @@ struct OptimizeResult {
   std::string solver_note;     ///< what NLopt said of it
 };
 
-/// Searches the N densities for one lamp. Deterministic: the same emission, options and build give the same
-/// result, whatever the number of threads; the budget is counted in evaluations. Never worse by its own
-/// objective than the `illuminant` and `visible` samplers, by construction: see catch_up.
+/// Searches the N densities for one lamp or several, a lamp_set: the base density is that of their sum, and
+/// every reflectance is a target under every lamp, weighted by the lamp's luminance (Objective::mean_delta_e
+/// sees R = 1 under the sum). Deterministic: the same emissions, options and build give the same result,
+/// whatever the number of threads; the budget is counted in evaluations. Never worse by its own objective
+/// than the `illuminant` and `visible` samplers, by construction: see catch_up.
 /// @param progress is told the part done, 0 … 1, from any thread, one at a time
-/// @throws std::invalid_argument when the emission has no luminance or the options are out of range
+/// @throws std::invalid_argument when the emissions have no luminance or the options are out of range
 /// @throws SearchStopped
-OptimizeResult optimize_distribution(const TabulatedSpectrum& emission, const OptimizeOptions& options,
-                                     const std::function<void(double fraction)>& progress = {});
-
-/// The same for several lamps, a lamp_set: the base density is that of their sum, and every reflectance is a
-/// target under every lamp, weighted by the lamp's luminance (Objective::mean_delta_e sees R = 1 under the
-/// sum).
 OptimizeResult optimize_distribution(std::span<const TabulatedSpectrum> emissions,
                                      const OptimizeOptions& options,
                                      const std::function<void(double fraction)>& progress = {});

@@ -92,7 +92,7 @@ void to_metric(std::array<Row, 3>& rows, const ColorMetric& metric) {
 }
 
 /// Pivoted Gram–Schmidt: takes the largest row as the next basis function, removes it from all, and so on.
-/// What is left of `rows` is their residual. @return coordinates[row][function]
+/// @return coordinates[row][function]
 std::vector<Channels> orthonormalise(std::vector<Row>& rows, std::vector<Row>& basis) {
   constexpr double kEnough = 1e-5;  // [ΔE]: far below what an estimate will ever reach
   std::vector<Channels> coordinates(rows.size(), Channels{});
@@ -145,10 +145,9 @@ TargetBasis target_basis(const PiecewiseLinearDensity& base, std::span<const Emi
 
   std::vector<Row> functions;
   const std::vector<Channels> coordinates = orthonormalise(rows, functions);
-  TargetBasis basis{make_table(functions), {}, 0.0};
+  TargetBasis basis{make_table(functions), {}};
   for (std::size_t r = 0; r < rows.size(); r += 3)
     basis.coordinates.push_back({coordinates[r], coordinates[r + 1], coordinates[r + 2]});
-  for (const Row& row : rows) basis.residual = std::max(basis.residual, std::sqrt(inner_product(row, row)));
   return basis;
 }
 

@@ -42,7 +42,6 @@ struct TargetBasis {
   TargetTable table;  ///< of the orthonormal functions
   std::vector<std::array<Channels, 3>>
       coordinates;  ///< for each target: U·XYZ = these rows times the channels
-  double residual;  ///< the largest root mean square that was left out, of all rows [ΔE]
 };
 /// @param white of CIELAB, on the scale where R = 1 has Y = 1
 TargetBasis target_basis(const PiecewiseLinearDensity& base, std::span<const Emitter> emitters,

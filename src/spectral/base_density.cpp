@@ -7,20 +7,21 @@
 #include "spectral/knots.h"
 #include "spectral/observer.h"
 #include "spectral/wavelength_distribution.h"
+#include "spectral/wavelength_sampler.h"
 
 namespace photopic {
 namespace {
 
 /// A positive mix of the colour matching functions: where the eye sees, with weight on what it sees as
-/// colour.
+/// colour. The factors did well among those that were tried; no theory gives them.
 double visibility(const Observer& observer, double lambda) {
   const Xyz h = observer(lambda);
   return 0.6 * h.x + 1.0 * h.y + 0.35 * h.z;
 }
 
-/// Radziszewski et al. 2009, as VisibleWavelengths; unnormalised.
+/// As VisibleWavelengths, unnormalised.
 double sech_squared(double lambda) {
-  const double cosh = std::cosh(0.0072 * (lambda - 538.0));
+  const double cosh = std::cosh(VisibleWavelengths::kSlope * (lambda - VisibleWavelengths::kCentre));
   return 1.0 / (cosh * cosh);
 }
 

@@ -57,24 +57,6 @@ inline float sum_of(Float16 v) {
   return sum_of(low(v) + high(v));
 }
 
-template <typename Vector>
-inline Vector larger(Vector a, Vector b) {
-  return a > b ? a : b;
-}
-inline float largest_of(Float1 v) {
-  return v[0];
-}
-inline float largest_of(Float4 v) {
-  const Float4 pairs = larger(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
-  return pairs[0] > pairs[1] ? pairs[0] : pairs[1];
-}
-inline float largest_of(Float8 v) {
-  return largest_of(larger(low(v), high(v)));
-}
-inline float largest_of(Float16 v) {
-  return largest_of(larger(low(v), high(v)));
-}
-
 /// Vectors side by side.
 inline Float8 join(Float4 a, Float4 b) {
   return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);

@@ -43,7 +43,7 @@ class Observer {
 inline constexpr double kMaximalEfficacy = 683.002;
 
 /// XYZ of an emission: ∫ h·I dλ / ∫ȳ dλ, exact for piecewise linear I (every product is quadratic in a cell).
-/// Beyond its knots the emission is taken for zero, whatever its `beyond()`.
+/// Beyond its knots the emission is taken for zero, whatever its table says there.
 Xyz emission_xyz(const TabulatedSpectrum& emission, const Observer& observer);
 
 /// Y of that by the CIE 1931 observer.

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "spectral/observer.h"
+#include "spectral/color.h"
 #include "spectral/sampled_spectrum.h"
 
 namespace photopic {
@@ -26,21 +26,5 @@ struct PathWavelengths {
             (xyz_per_radiance[2] * radiance).sum()};
   }
 };
-
-/// Looked up one by one.
-template <int N>
-PathWavelengths<N> look_up(const SampledWavelengths<N>& w, const Observer& observer) {
-  PathWavelengths<N> path;
-  for (int j = 0; j < N; ++j) {
-    const double lambda = w.lambda[j], weight = 1.0 / w.density_sum[j];
-    const Xyz h = observer(lambda) * (weight / observer.y_integral());
-    path.lambda.v[j] = static_cast<float>(lambda);
-    path.weight.v[j] = static_cast<float>(weight);
-    path.xyz_per_radiance[0].v[j] = static_cast<float>(h.x);
-    path.xyz_per_radiance[1].v[j] = static_cast<float>(h.y);
-    path.xyz_per_radiance[2].v[j] = static_cast<float>(h.z);
-  }
-  return path;
-}
 
 }  // namespace photopic

@@ -75,7 +75,7 @@ CauchyIndex abbe_index(double n_d, double dispersion) {
 double abbe_number(const DielectricIndex& index) {
   const double spread = refractive_index(index, 486.1327) - refractive_index(index, 656.2725);
   if (spread == 0.0) return std::numeric_limits<double>::infinity();
-  return (refractive_index(index, 587.5618) - 1.0) / spread;
+  return (refractive_index(index, kLineD) - 1.0) / spread;
 }
 
 std::optional<DielectricIndex> glass_index(std::string_view name) {

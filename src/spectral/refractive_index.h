@@ -25,6 +25,9 @@ struct CauchyIndex {
 /// The refractive index of a transparent material as a function of wavelength.
 using DielectricIndex = std::variant<CauchyIndex, SellmeierIndex>;
 
+/// The d line of helium [nm], where glasses' indices are told.
+inline constexpr double kLineD = 587.5618;
+
 /// The index at a vacuum wavelength [nm].
 double refractive_index(const DielectricIndex& index, double lambda);
 
@@ -34,7 +37,7 @@ bool is_dispersive(const DielectricIndex& index);
 /// KHR_materials_dispersion: Cauchy's formula through n_d and the Abbe number. @param dispersion 20/V_d, ≥ 0
 CauchyIndex abbe_index(double n_d, double dispersion);
 
-/// Abbe's number V_d = (n_d − 1)/(n_F − n_C), at 587.56, 486.13 and 656.27 nm; infinite without dispersion.
+/// Abbe's number V_d = (n_d − 1)/(n_F − n_C), at kLineD, 486.13 and 656.27 nm; infinite without dispersion.
 double abbe_number(const DielectricIndex& index);
 
 /// A named transparent material; nothing when the name is not known. Sources stand beside the coefficients;

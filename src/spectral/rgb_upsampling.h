@@ -13,6 +13,8 @@ namespace photopic {
 struct SigmoidPolynomial {
   float c0 = 0, c1 = 0, c2 = 0;
 
+  static constexpr float kWhite = 1e5f;  ///< S(kWhite) rounds to 1 and S(−kWhite) to 0, in single precision
+
   template <typename T>
   T operator()(T lambda) const {
     const T x = (lambda - T(kLambdaMin)) * T(1.0 / (kLambdaMax - kLambdaMin));
@@ -49,9 +51,9 @@ SigmoidPolynomial upsample_reflectance(const Rgb& linear_srgb);
 /// The sigmoid that has this value in [0, 1] at all wavelengths, 0 and 1 exactly in single precision.
 template <typename T>
 SigmoidPolynomial constant_sigmoid(T value) {
-  constexpr T kSaturated = 1e5;  // where 1/2 + y/(2·sqrt(1 + y²)) rounds to 0 or 1
+  constexpr T kWhite = SigmoidPolynomial::kWhite;
   const T y = (value - T(0.5)) / std::sqrt(value * (T(1) - value));
-  return {0.0f, 0.0f, static_cast<float>(std::clamp(y, -kSaturated, kSaturated))};
+  return {0.0f, 0.0f, static_cast<float>(std::clamp(y, -kWhite, kWhite))};
 }
 
 }  // namespace photopic

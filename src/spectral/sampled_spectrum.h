@@ -56,7 +56,6 @@ struct SampledSpectrum {
   SampledSpectrum& operator*=(SampledSpectrum b) { return v *= b.v, *this; }
   SampledSpectrum& operator*=(float s) { return v *= s, *this; }
 
-  float max() const { return largest_of(v); }
   /// Whether nothing is left; not a number is not nothing.
   bool is_black() const {
     for (int i = 0; i < N; ++i)

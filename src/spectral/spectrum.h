@@ -49,7 +49,6 @@ class TabulatedSpectrum {
 
   std::span<const double> lambda() const { return lambda_; }
   std::span<const double> value() const { return value_; }
-  Beyond beyond() const { return beyond_; }
 
   TabulatedSpectrum scaled(double factor) const;
 

@@ -27,7 +27,7 @@ Json to_json(const WavelengthDistribution& distribution) {
   json["spectrum"] = distribution.spectrum;
   json["spectrum_digest"] = distribution.spectrum_digest;
   json["objective"] = distribution.objective;
-  const WavelengthDistribution::Targets& targets = distribution.targets;
+  const WavelengthDistribution::TargetRecord& targets = distribution.targets;
   json["targets"] = {{"white", targets.white},
                      {"constructed", targets.constructed},
                      {"seed", targets.seed},
@@ -152,7 +152,7 @@ std::vector<WavelengthDistribution::Component> read_components(const Place& plac
   return components;
 }
 
-WavelengthDistribution::Targets read_targets(const Place& place) {
+WavelengthDistribution::TargetRecord read_targets(const Place& place) {
   place.only_keys({"white", "constructed", "seed", "measured", "measured_file", "measured_digest"});
   return {.white = place.at("white").text(),
           .constructed = static_cast<int>(place.at("constructed").count()),

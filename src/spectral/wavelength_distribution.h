@@ -10,12 +10,16 @@
 
 namespace photopic {
 
+/// The uniform density's share in a base density: the illuminant sampler's weights are at most
+/// 1/kDefensiveShare times those of uniform sampling, however dark the lamp is there.
+inline constexpr double kDefensiveShare = 0.02;
+
 /// The base density b(λ) [1/nm]: piecewise linear through the values of I·c on the union of the emission I's
 /// knots and the observer's, c = 0.6 x̄ + ȳ + 0.35 z̄, with a uniform share of `defensive` mixed in, and then a
 /// share of `visible` of VisibleWavelengths' sech² density. (The more of that, the smoother the estimate's
 /// weights, which many wavelengths can use; the less, the more closely a lamp's lines are followed.)
 /// @throws std::invalid_argument when the emission is zero from 360 to 830 nm, or a share is not in [0, 1]
-PiecewiseLinearDensity base_density(const TabulatedSpectrum& emission, double defensive = 0.02,
+PiecewiseLinearDensity base_density(const TabulatedSpectrum& emission, double defensive = kDefensiveShare,
                                     double visible = 0.0);
 
 /// N densities p_k(λ) = q_k(B(λ))·b(λ): q_k piecewise linear on equal cells of t = B(λ) in [0, 1]. All are
@@ -30,7 +34,7 @@ struct WavelengthDistribution {
   };
 
   /// What an optimisation aimed at.
-  struct Targets {
+  struct TargetRecord {
     std::string white = "D65";         ///< of ΔE; or "illuminant"
     int constructed = 0;               ///< the optimiser's own reflectances, R = 1 among them
     std::uint64_t seed = 0;            ///< theirs, and the search's
@@ -46,7 +50,7 @@ struct WavelengthDistribution {
   std::string spectrum = {};         ///< as the user named it
   std::string spectrum_digest = {};  ///< digest() of the tabulated emission
   std::string objective = {};        ///< "asymptotic" or "mean-delta-e"
-  Targets targets = {};
+  TargetRecord targets = {};
   double optimize_seconds = 0.0;  ///< wall clock of the search
   double value = 0.0;             ///< the objective's value reached [ΔE]
   double illuminant_value = 0.0, visible_value = 0.0, uniform_value = 0.0;  ///< the baselines' [ΔE]

@@ -20,7 +20,7 @@ double rotated(double u, int j, int count) {
 
 /// The density p(λ) = a·sech²(a(λ − c)) / (tanh at 830 − tanh at 360), its CDF a scaled tanh.
 struct VisibleDensity {
-  static constexpr double kA = 0.0072, kCentre = 538.0;  // Radziszewski et al. 2009; pbrt-v4, util/sampling.h
+  static constexpr double kA = VisibleWavelengths::kSlope, kCentre = VisibleWavelengths::kCentre;
   double first = std::tanh(kA * (kLambdaMin - kCentre));
   double span = std::tanh(kA * (kLambdaMax - kCentre)) - first;
 

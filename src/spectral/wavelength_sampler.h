@@ -19,10 +19,11 @@ struct UniformWavelengths {
   int count = 4;
 };
 
-/// p(λ) ∝ sech²(0.0072 (λ − 538)) on [360, 830] nm, u_j = frac(u + j/N): Radziszewski et al. 2009, constants
-/// as pbrt-v4.
+/// p(λ) ∝ sech²(kSlope·(λ − kCentre)) on [360, 830] nm, u_j = frac(u + j/N): Radziszewski et al. 2009.
 struct VisibleWavelengths {
   int count = 4;
+  static constexpr double kSlope = 0.0072;  ///< [1/nm]; both as pbrt-v4, util/sampling.h
+  static constexpr double kCentre = 538.0;  ///< [nm]
 };
 
 /// The base density of the scene's emission; sample j takes the j-th of N strata of equal probability.

@@ -7,7 +7,7 @@
 #include "core/camera.h"
 #include "core/compiled_sampler.h"
 #include "core/film.h"
-#include "core/lights/area_light.h"
+#include "core/lights/area_light_lanes.h"
 #include "core/sample_sequence.h"
 #include "core/sample_spectrum.h"
 #include "integrator/path_start.h"
@@ -134,18 +134,22 @@ void table_of_rgb(benchmark::State& state) {
 }
 BENCHMARK(table_of_rgb);
 
+/// Sixteen at once.
 /// @param state range(0): the distance in sides of the light; near ones are sampled by solid angle
 void sample_area_light(benchmark::State& state) {
   AreaLight light{};
   light.edge1 = {1, 0, 0}, light.edge2 = {0, 1, 0}, light.normal = {0, 0, 1};
   light.area = 1, light.parallelogram = true;
+  const AreaLightLanes lights(light);
+  const SampleStreamLanes streams(Sequence::sobol, UintLanes{} + 1u, UintLanes{} + 2u, UintLanes{});
   std::uint32_t i = 0;
   for (auto _ : state) {
-    ++i;
-    const Sample2d u = SampleStream(Sequence::sobol, 1, 2, i).get_2d(0);
-    auto sample = light.sample({u.x, u.y, static_cast<float>(state.range(0))}, u);
-    benchmark::DoNotOptimize(sample);
+    const Sample2dLanes u = streams.get_2d(++i);
+    LightSampleLanes samples;
+    lights.sample({u.x, u.y, Lanes{} + static_cast<float>(state.range(0))}, u, samples);
+    benchmark::DoNotOptimize(samples);
   }
+  state.SetItemsProcessed(state.iterations() * kLanes);
 }
 BENCHMARK(sample_area_light)->Arg(1)->Arg(10);
 

@@ -160,7 +160,7 @@ void print_table(const Request& request) {
     const auto table = cie_illuminant(name);
     if (!table) throw std::invalid_argument(name + " is no CIE illuminant");
     const TabulatedSpectrum lamp = tabulate_emission(*table);
-    const OptimizeResult made = optimize_distribution(lamp, request.optimize);
+    const OptimizeResult made = optimize_distribution(std::span(&lamp, 1), request.optimize);
     const WavelengthSampler samplers[] = {UniformWavelengths{count}, VisibleWavelengths{count},
                                           IlluminantWavelengths{count, base_density(lamp)},
                                           OptimizedWavelengths(made.distribution)};

@@ -3,6 +3,7 @@
 //   phases SCENE [--emitter SPECTRUM] [--resolution WxH] [--spp N] [--wavelengths N] [--sampler NAME] …
 #include <tbb/global_control.h>
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -15,23 +16,39 @@ using namespace photopic;
 namespace {
 
 constexpr std::array<const char*, kStages> kNames = {
-    "camera, wavelengths", "intersect",     "emit",          "sort by BSDF",
-    "shadow rays",         "film",          "shade diffuse", "shade opaque",
-    "shade conductor",     "shade layered", "shade glass",   "shade spectral glass"};
+    "between batches",     "camera, wavelengths", "intersect",     "emit",
+    "sort by BSDF",        "shadow rays",         "film",          "shade diffuse",
+    "shade opaque",        "shade conductor",     "shade layered", "shade glass",
+    "shade spectral glass"};
 
-/// Of one render and all its stages [s].
+/// Tells apart what the stages of one thread cost.
+class StageClock : public StageWatch {
+ public:
+  /// The time since the last stage was this one's.
+  void after(Stage stage) override {
+    const double now = thread_cpu_seconds();
+    seconds_[stage] += now - last_;
+    last_ = now;
+  }
+  const std::array<double, kStages>& seconds() const { return seconds_; }
+
+ private:
+  std::array<double, kStages> seconds_{};
+  double last_ = thread_cpu_seconds();
+};
+
+/// Of one render [s].
 struct Round {
   double cpu;
-  StageSeconds stages;
   std::uint64_t paths;
 };
 
 Round render_round(const PreparedScene& scene, const WavelengthSampler& sampler, RenderOptions options,
-                   bool timed) {
-  options.time_stages = timed;
+                   StageClock* clock) {
+  options.watch = clock;
   const double start = process_cpu_seconds();
   const RenderStats stats = render(scene, sampler, options).stats;
-  return {process_cpu_seconds() - start, stats.stages, stats.paths};
+  return {process_cpu_seconds() - start, stats.paths};
 }
 
 void print_row(const char* name, double seconds, double all, std::uint64_t paths) {
@@ -47,11 +64,12 @@ void run(const BenchRequest& request) {
   std::array<std::vector<double>, kStages> stages;
   std::uint64_t paths = 0;
   for (int i = 0; i < request.rounds; ++i) {
-    plain.push_back(render_round(*scene, sampler, request.render, false).cpu);
-    const Round round = render_round(*scene, sampler, request.render, true);
+    plain.push_back(render_round(*scene, sampler, request.render, nullptr).cpu);
+    StageClock clock;
+    const Round round = render_round(*scene, sampler, request.render, &clock);
     timed.push_back(round.cpu);
     paths = round.paths;
-    for (std::size_t s = 0; s < kStages; ++s) stages[s].push_back(round.stages[s]);
+    for (std::size_t s = 0; s < kStages; ++s) stages[s].push_back(clock.seconds()[s]);
   }
 
   const double all = median_of(timed);

@@ -3,11 +3,15 @@
 //   solver_comparison [--starts N] [--evaluations N] [--seconds S] [LAMP…]
 // Four wavelengths, 49 nodes each, 256 strata of u; one thread. `best` and `median` are over the starts,
 // seconds and evaluations a start's.
+#include <nlopt.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <exception>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,10 +28,11 @@ using namespace photopic;
 namespace {
 
 constexpr int kWavelengths = 4, kNodes = 49, kStrata = 256;
-constexpr std::pair<Algorithm, const char*> kAlgorithms[] = {
-    {Algorithm::lbfgs, "LBFGS"}, {Algorithm::var2, "VAR2"},   {Algorithm::tnewton, "TNEWTON"},
-    {Algorithm::mma, "MMA"},     {Algorithm::ccsaq, "CCSAQ"}, {Algorithm::slsqp, "SLSQP"},
-    {Algorithm::sbplx, "SBPLX"}};
+constexpr std::pair<nlopt_algorithm, const char*> kAlgorithms[] = {
+    {NLOPT_LD_LBFGS, "LBFGS"}, {NLOPT_LD_VAR2, "VAR2"},   {NLOPT_LD_TNEWTON_PRECOND_RESTART, "TNEWTON"},
+    {NLOPT_LD_MMA, "MMA"},     {NLOPT_LD_CCSAQ, "CCSAQ"}, {NLOPT_LD_SLSQP, "SLSQP"},
+    {NLOPT_LN_SBPLX, "SBPLX"}};
+constexpr unsigned kMemory = 20;  ///< steps that L-BFGS remembers, as in descend()
 
 struct Request {
   int starts = 16, evaluations = 600;
@@ -64,7 +69,52 @@ std::shared_ptr<const EstimateLoss> loss_for(const std::string& name) {
   if (!table) throw std::invalid_argument(name + " is no CIE illuminant");
   const TabulatedSpectrum lamp = tabulate_emission(*table);
   const Targets targets{Objective::asymptotic, White::d65, lamp, {lamp}, target_reflectances(48, 1)};
-  return std::make_shared<const EstimateLoss>(targets, base_density(lamp, 0.02, 0.3));
+  return std::make_shared<const EstimateLoss>(targets, base_density(lamp, kDefensiveShare, 0.3));
+}
+
+/// When an algorithm must end.
+struct Budget {
+  int evaluations;
+  double seconds = 0.0;  ///< of processor time; 0: no clock
+};
+
+/// An objective as NLopt calls it, and the best that it has told.
+struct Run {
+  ObjectiveFunction& objective;
+  nlopt_opt solver;
+  double seconds;
+  std::clock_t begin = std::clock();
+  double best = HUGE_VAL;
+  int evaluations = 0;
+
+  static double call(unsigned count, const double* v, double* gradient, void* self) {
+    Run& run = *static_cast<Run*>(self);
+    if (run.seconds > 0.0 && static_cast<double>(std::clock() - run.begin) > run.seconds * CLOCKS_PER_SEC) {
+      nlopt_force_stop(run.solver);
+      return HUGE_VAL;
+    }
+    ++run.evaluations;
+    const double value = run.objective({v, count}, {gradient, gradient ? count : 0});
+    if (!std::isfinite(value)) return HUGE_VAL;
+    run.best = std::min(run.best, value);
+    return value;
+  }
+};
+
+/// One start, whatever NLopt ends with. @param v where it begins
+Run minimise(nlopt_algorithm algorithm, ObjectiveFunction& objective, std::vector<double> v, Budget budget) {
+  for (double& x : v) x = std::clamp(x, kLowestUnknown, kHighestUnknown);
+  const std::unique_ptr<nlopt_opt_s, void (*)(nlopt_opt)> solver(
+      nlopt_create(algorithm, static_cast<unsigned>(v.size())), nlopt_destroy);
+  Run run{objective, solver.get(), budget.seconds};
+  nlopt_set_min_objective(solver.get(), Run::call, &run);
+  nlopt_set_lower_bounds1(solver.get(), kLowestUnknown);
+  nlopt_set_upper_bounds1(solver.get(), kHighestUnknown);
+  nlopt_set_maxeval(solver.get(), budget.evaluations);
+  nlopt_set_vector_storage(solver.get(), kMemory);
+  double value = 0.0;
+  nlopt_optimize(solver.get(), v.data(), &value);
+  return run;
 }
 
 struct Reached {
@@ -72,7 +122,8 @@ struct Reached {
 };
 
 /// All starts, one after the other.
-Reached run(const std::shared_ptr<const EstimateLoss>& loss, const Request& request, DescentLimits limits) {
+Reached run(const std::shared_ptr<const EstimateLoss>& loss, const Request& request,
+            nlopt_algorithm algorithm, Budget budget) {
   const std::clock_t begin = std::clock();
   std::vector<double> values;
   double evaluations = 0.0;
@@ -80,10 +131,8 @@ Reached run(const std::shared_ptr<const EstimateLoss>& loss, const Request& requ
     Random random(static_cast<std::uint64_t>(i));
     const Candidate start = random_candidate(kWavelengths, kNodes, random);
     ObjectiveFunction objective(loss, start.backwards, kNodes, kStrata);
-    const Descent found =
-        descend([&](std::span<const double> v, std::span<double> gradient) { return objective(v, gradient); },
-                start.v, limits);
-    values.push_back(found.value);
+    const Run found = minimise(algorithm, objective, start.v, budget);
+    values.push_back(found.best);
     evaluations += found.evaluations;
   }
   std::sort(values.begin(), values.end());
@@ -94,9 +143,8 @@ Reached run(const std::shared_ptr<const EstimateLoss>& loss, const Request& requ
 void print_lamp(const std::string& lamp, const Request& request) {
   const auto loss = loss_for(lamp);
   for (const auto& [algorithm, name] : kAlgorithms) {
-    const Reached by_count = run(loss, request, {.evaluations = request.evaluations, .algorithm = algorithm});
-    const Reached by_clock =
-        run(loss, request, {.evaluations = 1 << 30, .seconds = request.seconds, .algorithm = algorithm});
+    const Reached by_count = run(loss, request, algorithm, {request.evaluations});
+    const Reached by_clock = run(loss, request, algorithm, {1 << 30, request.seconds});
     std::printf("%-8s %-8s %9.2f %9.2f %9.3f %9.0f %9.2f %9.2f %9.3f %9.0f\n", lamp.c_str(), name,
                 by_count.best, by_count.median, by_count.seconds, by_count.evaluations, by_clock.best,
                 by_clock.median, by_clock.seconds, by_clock.evaluations);

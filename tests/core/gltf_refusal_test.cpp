@@ -262,7 +262,6 @@ class SharedFiles : public GltfTest {
     if (!std::filesystem::is_directory(shared_)) GTEST_SKIP() << "no collection of glTF files in " << shared_;
   }
   const std::filesystem::path shared_ = std::filesystem::path(PHOTOPIC_SHARED) / "gltf";
-  const GltfOptions options_{.allow_incomplete = true};
 };
 
 TEST_F(SharedFiles, GoodFilesLoad) {
@@ -276,7 +275,7 @@ TEST_F(SharedFiles, GoodFilesLoad) {
     const std::string name = entry.path().filename().string();
     if (entry.path().extension() != ".gltf" && entry.path().extension() != ".glb") continue;
     SCOPED_TRACE(name);
-    const Scene scene = load_gltf(entry.path(), options_);
+    const Scene scene = load_gltf(entry.path());
     EXPECT_GT(scene.geometry.triangles.size(), 0u);
     if (triangles.contains(name)) {
       EXPECT_EQ(scene.geometry.triangles.size(), triangles.at(name));
@@ -292,10 +291,10 @@ TEST_F(SharedFiles, BadFilesAreRefused) {
   for (const auto& entry : std::filesystem::directory_iterator(shared_ / "bad")) {
     SCOPED_TRACE(entry.path().filename());
     if (odd.contains(entry.path().stem().string())) {
-      EXPECT_FALSE(load_gltf(entry.path(), options_).warnings.empty());
+      EXPECT_FALSE(load_gltf(entry.path()).warnings.empty());
       ++warned;
     } else {
-      EXPECT_FALSE(message([&] { load_gltf(entry.path(), options_); }).empty());
+      EXPECT_FALSE(message([&] { load_gltf(entry.path()); }).empty());
       ++refused;
     }
   }

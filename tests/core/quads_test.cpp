@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
@@ -105,6 +106,14 @@ TEST(Quads, AreForManyTrianglesThatStandInPairs) {
   EXPECT_FALSE(is_worth_pairing(g));
 }
 
+bool is_occluded(const Accel& accel, const Ray& ray, float t_max) {
+  RayArray rays(1);
+  rays.set(0, ray, t_max);
+  std::uint8_t blocked = 0;
+  accel.occluded(rays, std::array{0u}, std::span(&blocked, 1));
+  return blocked != 0;
+}
+
 /// Every ray from above meets the one triangle that lies there.
 TEST(Quads, RaysFindTheirTriangles) {
   Geometry g = wave(kManyCells);
@@ -120,8 +129,8 @@ TEST(Quads, RaysFindTheirTriangles) {
     EXPECT_TRUE(hit.u >= 0 && hit.v >= 0 && hit.u + hit.v <= 1 + 1e-6f);
     const Vec3f p = point_of(g, hit.triangle, hit.u, hit.v);
     EXPECT_LT(max_abs(p - (ray.origin + ray.direction * hit.t)), 1e-6f);
-    EXPECT_TRUE(accel.occluded(ray, hit.t * 1.001f));
-    EXPECT_FALSE(accel.occluded(ray, hit.t * 0.999f));
+    EXPECT_TRUE(is_occluded(accel, ray, hit.t * 1.001f));
+    EXPECT_FALSE(is_occluded(accel, ray, hit.t * 0.999f));
   }
 }
 
@@ -141,6 +150,31 @@ TEST(Quads, BothTrianglesOfAPairAreCrossed) {
   EXPECT_NEAR(hits[0].t + hits[1].t, 4.0f, 1e-5f);
 }
 
+/// However many they are; where there is no room for all, as many as there is room for.
+TEST(Accel, EveryCrossingIsFoundOnce) {
+  constexpr std::uint32_t kSheets = 100;
+  Geometry g;
+  for (std::uint32_t i = 0; i < kSheets; ++i) {
+    const float z = static_cast<float>(i);
+    g.positions.insert(g.positions.end(), {{-1, -1, z}, {1, -1, z}, {0, 1, z}});
+    g.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  g.shapes = {{.first_triangle = 0, .triangle_count = kSheets}};
+  const std::vector<Surface> surfaces{Surface(Material{})};
+  const Accel accel(g, surfaces, nullptr, true);
+  const Ray ray{{0, 0, -1}, {0, 0, 1}};
+  std::vector<Hit> hits(2 * kSheets);
+  ASSERT_EQ(accel.crossings(ray, 200, hits), kSheets);
+  std::set<std::uint32_t> met;
+  for (const Hit& hit : std::span(hits).first(kSheets)) {
+    met.insert(hit.triangle);
+    EXPECT_NEAR(hit.t, static_cast<float>(hit.triangle) + 1.0f, 1e-4f);
+  }
+  EXPECT_EQ(met.size(), kSheets);
+  EXPECT_EQ(accel.crossings(ray, 40.5f, hits), 40u);
+  EXPECT_EQ(accel.crossings(ray, 200, std::span(hits).first(50)), 50u);
+}
+
 /// Where the vertices' alpha is below the cutoff, rays go through pairs of triangles as through one.
 TEST(Quads, CoverageIsThatOfTheTriangleHit) {
   Geometry g = wave(kManyCells);
@@ -158,7 +192,7 @@ TEST(Quads, CoverageIsThatOfTheTriangleHit) {
     const float diagonal = ray.origin.x + ray.origin.z - 1;
     if (std::abs(diagonal) < 2.0f / kManyCells) continue;
     EXPECT_EQ(accel.intersect(ray).shape == 0u, diagonal > 0);
-    EXPECT_EQ(accel.occluded(ray, 2.0f), diagonal > 0);
+    EXPECT_EQ(is_occluded(accel, ray, 2.0f), diagonal > 0);
   }
 }
 

@@ -126,7 +126,7 @@ TEST(Media, OpaqueReflectsByRelativeIndices) {
                              static_cast<float>(i.k(lambda)) / water);
   };
   const Reflectance of_coat = [&](float, double lambda) {
-    const float d = static_cast<float>(refractive_index(index, 587.56));
+    const float d = static_cast<float>(refractive_index(index, kLineD));
     const double coat = normal_reflectance(1.5f / d);
     return coat + (1.0 - coat) * of_iron(static_cast<float>(refractive_index(index, lambda)), lambda);
   };

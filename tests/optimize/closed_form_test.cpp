@@ -46,7 +46,7 @@ OptimizeResult optimize_one(const TabulatedSpectrum& emission, int nodes, White 
   options.nodes = nodes;
   options.target_count = 1;
   options.white = white;
-  return optimize_distribution(emission, options);
+  return optimize_distribution(std::span(&emission, 1), options);
 }
 
 class ClosedForm : public testing::TestWithParam<const char*> {};

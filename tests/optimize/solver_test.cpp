@@ -19,7 +19,7 @@
 namespace photopic {
 namespace {
 
-using test::quick;
+using test::optimize_for, test::quick;
 
 /// Reflectances of another family than the targets: edges and bands with corners, as wide as those of paints.
 std::vector<Spectrum> held_back_reflectances() {
@@ -90,7 +90,7 @@ TEST(Solver, BlackTargetsChangeLittle) {
     OptimizeOptions options;
     options.effort = Effort::quick;
     options.reflectances = reflectances;
-    return optimize_distribution(emission, options);
+    return optimize_for(emission, options);
   };
   const OptimizeResult plain = with({grey}), result = with({grey, black});
   EXPECT_FALSE(result.solver_failed) << result.solver_note;
@@ -196,10 +196,10 @@ TEST(Solver, MeasuredReflectancesAreServedWhereGiven) {
   const TabulatedSpectrum emission = tabulate_emission(*cie_illuminant("LED-B3"));
   OptimizeOptions options;
   options.effort = Effort::quick;
-  const WavelengthDistribution without = optimize_distribution(emission, options).distribution;
+  const WavelengthDistribution without = optimize_for(emission, options).distribution;
   options.target_count = 1;
   options.reflectances = {edge_at(500.0), edge_at(560.0), edge_at(610.0)};
-  const WavelengthDistribution with = optimize_distribution(emission, options).distribution;
+  const WavelengthDistribution with = optimize_for(emission, options).distribution;
   const auto value = [&](const WavelengthDistribution& found) {
     return sampler_value(OptimizedWavelengths(found),
                          {Objective::asymptotic, White::d65, emission, {emission}, options.reflectances});
@@ -228,7 +228,7 @@ TEST(Solver, NodesAreAsAsked) {
   double previous = 1e9;
   for (const int nodes : {3, 12, 48, 0}) {
     options.nodes = nodes;
-    const WavelengthDistribution found = optimize_distribution(emission, options).distribution;
+    const WavelengthDistribution found = optimize_for(emission, options).distribution;
     if (nodes >= 48) {
       EXPECT_EQ(found.components[0].nodes.size(), static_cast<std::size_t>(nodes));
     }
@@ -248,8 +248,7 @@ TEST(Solver, StopsWhenItIsTold) {
     last = fraction;
     if (fraction > 0.001) stop = true;
   };
-  EXPECT_THROW(optimize_distribution(tabulate_emission(*cie_illuminant("D65")), options, report),
-               SearchStopped);
+  EXPECT_THROW(optimize_for(tabulate_emission(*cie_illuminant("D65")), options, report), SearchStopped);
   EXPECT_LT(last, 0.1);
 }
 
@@ -263,10 +262,10 @@ TEST(Solver, RefusesWhatCannotBeDone) {
   OptimizeOptions options;
   for (const int nodes : {-1, 1, 2, 1026}) {
     options.nodes = nodes;
-    EXPECT_THROW(optimize_distribution(light, options), std::invalid_argument) << nodes;
+    EXPECT_THROW(optimize_for(light, options), std::invalid_argument) << nodes;
   }
   options.nodes = 0, options.target_count = 0;
-  EXPECT_THROW(optimize_distribution(light, options), std::invalid_argument);
+  EXPECT_THROW(optimize_for(light, options), std::invalid_argument);
 }
 
 TEST(Solver, ReportsProgressUpToTheEnd) {
@@ -274,7 +273,7 @@ TEST(Solver, ReportsProgressUpToTheEnd) {
   options.effort = Effort::quick;
   double last = 0.0;
   bool rising = true;
-  optimize_distribution(tabulate_emission(*cie_illuminant("E")), options, [&](double fraction) {
+  optimize_for(tabulate_emission(*cie_illuminant("E")), options, [&](double fraction) {
     rising = rising && fraction >= last;
     last = fraction;
   });

@@ -110,17 +110,14 @@ class GlossyBase {
         metal_.albedo(e) * metallic_ + dielectric_.albedo(e) * (1.0f - metallic_);
     specular_ = single + further_ * e.missing;
     further_ *= average_.missing > 0.0f ? e.missing / average_.missing : 0.0f;
-    const SampledSpectrum<N> from_wo = transmitted(e), mean = transmitted(average_);
-    base_gain_ = SampledSpectrum<N>(0.0f);
-    for (int j = 0; j < N; ++j)
-      if (mean[j] > 0.0f) base_gain_.v[j] = from_wo[j] / mean[j];
-    from_wo_ = from_wo;
+    from_wo_ = transmitted(e);
+    base_gain_ = share(from_wo_, transmitted(average_));
 
     grazing_ = GrazingLobe(std::max(ggx_.alpha_x, kSmoothAlpha));
     const float sum = (diffuse_albedo() + specular_).sum();
     p_specular_ = sum > 0.0f ? single.sum() / sum : 1.0f;
     p_grazing_ = sum > 0.0f ? (specular_ - single).sum() / sum : 0.0f;
-    p_through_ = sum > 0.0f ? (passed_ * from_wo).sum() / sum : 0.0f;
+    p_through_ = sum > 0.0f ? (passed_ * from_wo_).sum() / sum : 0.0f;
     p_diffuse_ = std::max(1.0f - p_specular_ - p_grazing_ - p_through_, 0.0f);
   }
 

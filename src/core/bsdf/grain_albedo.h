@@ -29,7 +29,7 @@ class GrainAlbedo {
   alignas(32) static const char16_t kDirectional[];      ///< generated; a GrainTable's numbers
   static const Weights kAverage[kRoughnesses][kGrains];  ///< generated; of `missing` the logarithm
 
-  GrainTable::Place place_;
+  GrainTable::SurfacePlace place_;
 };
 
 }  // namespace photopic

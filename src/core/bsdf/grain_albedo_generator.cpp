@@ -23,7 +23,7 @@ std::u16string integrate() {
 /// Over a quarter of all azimuths, and cosines by their fourth roots: μ = x⁴, 2μ dμ = 8x⁷ dx.
 Weights average(const GrainTable& table, const AnisotropicGgx& ggx) {
   constexpr int kTurns = 64, kHeights = 256;
-  const GrainTable::Place place(ggx);
+  const GrainTable::SurfacePlace place(ggx);
   Weights sum;
   for (int i = 0; i < kTurns; ++i)
     for (int j = 0; j < kHeights; ++j) {

@@ -72,13 +72,13 @@ Lanes decoded(const char16_t* numbers) {
 
 }  // namespace
 
-GrainTable::Place::Place(const AnisotropicGgx& g)
+GrainTable::SurfacePlace::SurfacePlace(const AnisotropicGgx& g)
     : ggx(g), root_x(root_of(g.alpha_x)), root_y(root_of(g.alpha_y)) {}
 
-TablePosition GrainTable::Place::roughness(int size) const {
+TablePosition GrainTable::SurfacePlace::roughness(int size) const {
   return locate(share(root_y, kLeastRoot, 1.0f), size);
 }
-TablePosition GrainTable::Place::grain(int size) const {
+TablePosition GrainTable::SurfacePlace::grain(int size) const {
   return locate(share(root_x, root_y, 1.0f), size);
 }
 
@@ -89,7 +89,7 @@ AnisotropicGgx GrainTable::ggx_at(int roughness, int roughnesses, int grain, int
 
 std::array<char16_t, kLanes> GrainTable::integrate(int node, const VisibleNormals& normals) {
   const int c = node % kCosines, a = node / kCosines % kAzimuths, g = node / kCosines / kAzimuths % kGrains;
-  const Place s(ggx_at(node / kCosines / kAzimuths / kGrains, kRoughnesses, g, kGrains));
+  const SurfacePlace s(ggx_at(node / kCosines / kAzimuths / kGrains, kRoughnesses, g, kGrains));
   const float alpha = alpha_of(between(s.root_y, s.root_x, a, kAzimuths));
   const CosineAxis axis(alpha);
   const float z = axis.node(c);
@@ -103,7 +103,7 @@ std::array<char16_t, kLanes> GrainTable::integrate(int node, const VisibleNormal
   return numbers;
 }
 
-BounceCosines GrainTable::look_up(const Place& s, Vec3f w) const {
+BounceCosines GrainTable::look_up(const SurfacePlace& s, Vec3f w) const {
   const float alpha = alpha_seen(w, s.ggx);
   const CosineAxis axis(alpha);
   const TablePosition r = s.roughness(kRoughnesses), g = s.grain(kGrains), c = axis.locate(w.z),

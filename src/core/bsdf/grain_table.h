@@ -18,12 +18,12 @@ class GrainTable {
   explicit GrainTable(const char16_t* numbers) : numbers_(numbers) {}
 
   /// A surface's place on the axes of roughness and grain.
-  struct Place {
+  struct SurfacePlace {
     AnisotropicGgx ggx{1.0f, 1.0f};
     float root_x = 1.0f, root_y = 1.0f;  ///< of its α
-    Place() = default;
+    SurfacePlace() = default;
     /// @param ggx 1 ≥ alpha_x ≥ alpha_y ≥ kSmoothAlpha
-    explicit Place(const AnisotropicGgx& ggx);
+    explicit SurfacePlace(const AnisotropicGgx& ggx);
     TablePosition roughness(int size) const;
     TablePosition grain(int size) const;
   };
@@ -31,7 +31,7 @@ class GrainTable {
   static AnisotropicGgx ggx_at(int roughness, int roughnesses, int grain, int grains);
 
   /// @param w.z ≥ 0
-  BounceCosines look_up(const Place& place, Vec3f w) const;
+  BounceCosines look_up(const SurfacePlace& place, Vec3f w) const;
 
   /// The numbers of a node, to be written into the table.
   static std::array<char16_t, kLanes> integrate(int node, const VisibleNormals& normals);

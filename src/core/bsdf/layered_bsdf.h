@@ -3,6 +3,7 @@
 #include "core/bsdf/ggx_albedo.h"
 #include "core/bsdf/glossy_base.h"
 #include "core/bsdf/sheen.h"
+#include "spectral/refractive_index.h"
 
 namespace photopic {
 
@@ -29,7 +30,7 @@ class LayeredBsdf {
     const MaterialExtensions& x = *m.surface().extensions;
     const float coat_roughness = m.clearcoat_roughness();
     coat_ = m.clearcoat(), coat_ggx_ = {sqr(coat_roughness)};
-    coat_f0_ = normal_reflectance(kCoatIndex / m.outside_index(kLineD));
+    coat_f0_ = normal_reflectance(kCoatIndex / m.outside_index(static_cast<float>(kLineD)));
     const float coat_albedo = coat_ > 0.0f ? coat_ * schlick(coat_factors(coat_roughness)) : 0.0f;
     under_coat_ = 1.0f - coat_albedo;
     under_sheen_ = SampledSpectrum<N>(under_coat_);
@@ -98,7 +99,6 @@ class LayeredBsdf {
 
  private:
   static constexpr float kCoatIndex = 1.5f;  ///< KHR_materials_clearcoat's
-  static constexpr float kLineD = 587.56f;   ///< [nm], where indices are told
   float schlick(GgxAlbedo::Factors e) const { return coat_f0_ * e.scale() + e.bias; }
 
   bool coat_is_smooth() const { return coat_ggx_.alpha < kSmoothAlpha; }

@@ -20,7 +20,6 @@ class ShadingMaterial {
 
   const Surface& surface() const { return surface_; }
   SampledSpectrum<N> lambda() const { return lambda_; }  ///< [nm]
-  const TrianglePoint& point() const { return point_; }
 
   /// The refractive index in front of the surface.
   bool in_vacuum() const { return outside_ == nullptr; }

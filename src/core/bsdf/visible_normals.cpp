@@ -28,8 +28,8 @@ VisibleNormals::Bounces VisibleNormals::bounces(const AnisotropicGgx& ggx, Vec3f
     const Vec3Lanes h{(r * cos_[i] + seen.x) * ax, (r * sin_[i] + seen.y) * ay,
                       max(Lanes{} + 1e-6f, z + seen.z)};
     const Vec3Lanes m = h * (1.0f / sqrt(dot(h, h)));
-    const Lanes cosine = dot(to_lanes(wo), m);
-    const Vec3Lanes wi = m * (2.0f * cosine) - to_lanes(wo);
+    const Lanes cosine = dot(broadcast<Lanes>(wo), m);
+    const Vec3Lanes wi = m * (2.0f * cosine) - broadcast<Lanes>(wo);
     const Lanes x = wi.x * ax / wi.z, y = wi.y * ay / wi.z;
     const Lanes s = (0.5f * g1) * (sqrt(1.0f + x * x + y * y) - 1.0f);
     all.cosine[i] = cosine;

@@ -13,7 +13,7 @@ std::uint64_t integer(const Json& object, const char* key, std::uint64_t otherwi
   return object.contains(key) ? object.at(key).get<std::uint64_t>() : otherwise;
 }
 
-std::uint64_t component_size(const Place& at) {
+std::uint64_t component_size(const JsonPlace& at) {
   switch (at.value.get<int>()) {
     case 5120:
     case 5121:
@@ -29,7 +29,7 @@ std::uint64_t component_size(const Place& at) {
   }
 }
 
-std::uint64_t component_count(const Place& at) {
+std::uint64_t component_count(const JsonPlace& at) {
   const auto& type = at.value.get_ref<const std::string&>();
   for (const auto& [name, count] : {std::pair{"SCALAR", 1},
                                     {"VEC2", 2},
@@ -44,7 +44,7 @@ std::uint64_t component_count(const Place& at) {
 }
 
 /// Columns of matrices begin at multiples of 4 bytes (glTF 2.0, section 3.6.2.4).
-std::uint64_t element_size(const Place& accessor) {
+std::uint64_t element_size(const JsonPlace& accessor) {
   const std::uint64_t component = component_size(accessor.member("componentType"));
   const std::uint64_t count = component_count(accessor.member("type"));
   const auto& type = accessor.value.at("type").get_ref<const std::string&>();
@@ -54,7 +54,8 @@ std::uint64_t element_size(const Place& accessor) {
 }
 
 /// All sums stay far below 2^64: bytes are below 2^53, counts below 2^31, strides below 2^8.
-void check_span(const Place& at, const Json& views, std::uint64_t count, std::uint64_t size, bool strided) {
+void check_span(const JsonPlace& at, const Json& views, std::uint64_t count, std::uint64_t size,
+                bool strided) {
   const Json& view = views.at(at.value.at("bufferView").get<std::size_t>());
   const std::uint64_t stride = strided ? integer(view, "byteStride", size) : size;
   if (stride < size)
@@ -66,7 +67,7 @@ void check_span(const Place& at, const Json& views, std::uint64_t count, std::ui
                         at.value.at("bufferView").get<int>(), length));
 }
 
-void check_accessor(const Place& at, const Json& views) {
+void check_accessor(const JsonPlace& at, const Json& views) {
   constexpr std::uint64_t kMaxZeros = 1 << 20;  // elements that no bytes of the file stand behind
   const std::uint64_t size = element_size(at);
   const std::uint64_t count = integer(at.value, "count");
@@ -77,18 +78,18 @@ void check_accessor(const Place& at, const Json& views) {
   }
   if (!at.has("sparse")) return;
 
-  const Place sparse = at.member("sparse");
+  const JsonPlace sparse = at.member("sparse");
   const std::uint64_t sparse_count = integer(sparse.value, "count");
   if (sparse_count > count) sparse.fail(fmt::format("it replaces {} elements of {}", sparse_count, count));
-  const Place indices = sparse.member("indices");
+  const JsonPlace indices = sparse.member("indices");
   check_span(indices, views, sparse_count, component_size(indices.member("componentType")), false);
   check_span(sparse.member("values"), views, sparse_count, size, false);
 }
 
 }  // namespace
 
-void check_bytes(const Place& root) {
-  for_each_in(root, "bufferViews", [&](const Place& at) {
+void check_bytes(const JsonPlace& root) {
+  for_each_in(root, "bufferViews", [&](const JsonPlace& at) {
     const std::uint64_t end = integer(at.value, "byteOffset") + integer(at.value, "byteLength");
     const std::uint64_t length =
         integer(root.value.at("buffers").at(at.value.at("buffer").get<std::size_t>()), "byteLength");
@@ -96,7 +97,7 @@ void check_bytes(const Place& root) {
   });
   static const Json kNoViews = Json::array();
   const Json& views = root.has("bufferViews") ? root.value.at("bufferViews") : kNoViews;
-  for_each_in(root, "accessors", [&](const Place& at) { check_accessor(at, views); });
+  for_each_in(root, "accessors", [&](const JsonPlace& at) { check_accessor(at, views); });
 }
 
 }  // namespace photopic

@@ -30,7 +30,7 @@ std::size_t list_size(const Json& document, std::string_view path) {
 }
 
 /// Whole numbers may be written with a zero fraction or an exponent (glTF 2.0, section 2.7).
-void check_whole(const Place& at) {
+void check_whole(const JsonPlace& at) {
   if (at.value.is_number_float()) {
     const double number = at.value.get<double>();
     if (number == std::floor(number) && std::abs(number) <= kMaxBytes)
@@ -39,7 +39,7 @@ void check_whole(const Place& at) {
   if (!at.value.is_number_integer()) at.fail("this must be a whole number");
 }
 
-void check_range(const Place& at, double min, double max) {
+void check_range(const JsonPlace& at, double min, double max) {
   const double number = at.value.get<double>();
   if (!(number >= min && number <= max))
     at.fail(fmt::format("{} is not between {} and {}", number, min, max));
@@ -48,7 +48,7 @@ void check_range(const Place& at, double min, double max) {
 /// Applies a rule to a value and what is in it. Recursion is as deep as the tables.
 class RuleCheck {
  public:
-  RuleCheck(const Place& at, const Json& document) : at_(at), document_(document) {}
+  RuleCheck(const JsonPlace& at, const Json& document) : at_(at), document_(document) {}
 
   void operator()(const Boolean&) const {
     if (!at_.value.is_boolean()) at_.fail("this must be true or false");
@@ -95,7 +95,7 @@ class RuleCheck {
   }
 
  private:
-  void apply(const Place& at, const Rule& rule) const { std::visit(RuleCheck(at, document_), rule); }
+  void apply(const JsonPlace& at, const Rule& rule) const { std::visit(RuleCheck(at, document_), rule); }
 
   void apply_member(const Member& member) const {
     const auto found = at_.value.find(std::string(member.name));
@@ -105,7 +105,7 @@ class RuleCheck {
       at_.fail(fmt::format("\"{}\" is missing", member.name));
   }
 
-  void apply_form(const Place& at, const Member& member, Form form) const {
+  void apply_form(const JsonPlace& at, const Member& member, Form form) const {
     if (form == Form::one) return apply(at, member.rule);
     if (form == Form::map) {
       if (!at.value.is_object()) at.fail("this must be an object");
@@ -117,17 +117,17 @@ class RuleCheck {
     for (std::size_t i = 0; i < at.value.size(); ++i) apply_form(at.element(i), member, inner);
   }
 
-  const Place& at_;
+  const JsonPlace& at_;
   const Json& document_;
 };
 
-void check_version(const Place& root) {
+void check_version(const JsonPlace& root) {
   if (!root.value.is_object()) root.fail("a glTF file is a JSON object");
   if (!root.has("asset")) root.fail("\"asset\" is missing");
-  const Place asset = root.member("asset");
+  const JsonPlace asset = root.member("asset");
   for (const char* key : {"version", "minVersion"}) {
     if (!asset.has(key)) continue;
-    const Place version = asset.member(key);
+    const JsonPlace version = asset.member(key);
     if (!version.value.is_string()) version.fail("this must be a string");
     const auto text = version.value.get<std::string>();
     const bool good = std::string_view(key) == "version" ? text.starts_with("2.") : text == "2.0";
@@ -136,8 +136,8 @@ void check_version(const Place& root) {
   if (!asset.has("version")) asset.fail("\"version\" is missing");
 }
 
-void check_extensions(const Place& root) {
-  for_each_in(root, "extensionsRequired", [](const Place& at) {
+void check_extensions(const JsonPlace& root) {
+  for_each_in(root, "extensionsRequired", [](const JsonPlace& at) {
     const auto name = at.value.get<std::string>();
     if (std::ranges::count(kSupported, name) == 0)
       at.fail(fmt::format("the file requires {}, which cannot be read", name.substr(0, 60)),
@@ -160,17 +160,17 @@ std::string pointer_token(std::string_view key) {
   return escaped;
 }
 
-std::string Place::pointer() const {
+std::string JsonPlace::pointer() const {
   if (!parent_) return {};
   return parent_->pointer() + (parent_->value.is_array() ? fmt::format("/{}", index_) : pointer_token(key_));
 }
 
-void Place::fail(const std::string& problem, const std::string& remedy) const {
+void JsonPlace::fail(const std::string& problem, const std::string& remedy) const {
   throw InputError(file_->string() + "#" + pointer(), problem, remedy);
 }
 
 void check_gltf(Json& document, const std::filesystem::path& file) {
-  const Place root(document, file);
+  const JsonPlace root(document, file);
   check_version(root);
   RuleCheck(root, document)(Object(kDocument));
   check_extensions(root);

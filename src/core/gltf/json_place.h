@@ -15,17 +15,17 @@ std::string pointer_token(std::string_view key);
 
 /// A value of a glTF document and the way to it, spelled out only when it is wrong. A place points to the one
 /// it was made from, which must live as long.
-class Place {
+class JsonPlace {
  public:
-  Place(Json& root, const std::filesystem::path& file) : value(root), file_(&file) {}
+  JsonPlace(Json& root, const std::filesystem::path& file) : value(root), file_(&file) {}
 
   Json& value;
 
   bool has(const char* key) const { return value.is_object() && value.contains(key); }
-  Place member(std::string_view key) const { return {value.at(std::string(key)), this, key, 0}; }
-  Place element(std::size_t index) const { return {value[index], this, {}, index}; }
+  JsonPlace member(std::string_view key) const { return {value.at(std::string(key)), this, key, 0}; }
+  JsonPlace element(std::size_t index) const { return {value[index], this, {}, index}; }
   /// @param found a member's value, already looked up
-  Place member(std::string_view key, Json& found) const { return {found, this, key, 0}; }
+  JsonPlace member(std::string_view key, Json& found) const { return {found, this, key, 0}; }
 
   /// The JSON pointer (RFC 6901), fit for one line.
   std::string pointer() const;
@@ -35,11 +35,11 @@ class Place {
                          const std::string& remedy = "correct it or export the file again") const;
 
  private:
-  Place(Json& v, const Place* parent, std::string_view key, std::size_t index)
+  JsonPlace(Json& v, const JsonPlace* parent, std::string_view key, std::size_t index)
       : value(v), file_(parent->file_), parent_(parent), key_(key), index_(index) {}
 
   const std::filesystem::path* file_;
-  const Place* parent_ = nullptr;
+  const JsonPlace* parent_ = nullptr;
   std::string_view key_;
   std::size_t index_ = 0;
 };
@@ -47,17 +47,17 @@ class Place {
 /// Calls `visit` at every element of a list; nothing where there is no such member. (Rules have seen to it
 /// that it is a list.)
 template <typename Visit>
-void for_each_in(const Place& at, const char* list, const Visit& visit) {
+void for_each_in(const JsonPlace& at, const char* list, const Visit& visit) {
   if (!at.has(list)) return;
-  const Place place = at.member(list);
+  const JsonPlace place = at.member(list);
   for (std::size_t i = 0; i < place.value.size(); ++i) visit(place.element(i));
 }
 
 /// The member of an extension of this object, or nothing.
 template <typename Visit>
-void for_extension(const Place& at, const char* name, const Visit& visit) {
+void for_extension(const JsonPlace& at, const char* name, const Visit& visit) {
   if (!at.has("extensions")) return;
-  const Place extensions = at.member("extensions");
+  const JsonPlace extensions = at.member("extensions");
   if (extensions.has(name)) visit(extensions.member(name));
 }
 

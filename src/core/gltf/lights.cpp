@@ -109,7 +109,7 @@ void check_environment_shape(const std::filesystem::path& file, std::vector<std:
 void load_gltf_environment(const GltfDocument& document, const GltfOptions& options, GltfEmissions& emissions,
                            Scene& scene) {
   const bool given = !options.environment.file.empty();
-  if (!given && (emissions.has_lamp() || options.allow_incomplete)) return;
+  if (!given && emissions.has_lamp()) return;
   if (given) check_environment_shape(options.environment.file, scene.warnings);
   Environment environment = given ? load_environment(options.environment, scene.warnings) : overcast_sky();
   environment.emission_spectrum =

@@ -75,7 +75,7 @@ void load_glass(const GltfDocument& document, std::size_t index, Material& mater
         fmt::format("choose one of {}, or write {{\"cauchy\": [A, B]}}", fmt::join(glass_names(), ", ")));
   const tinygltf::Material& source = document.model.materials[index];
   material.extensions.dispersion = glass;
-  material.ior = static_cast<float>(refractive_index(*glass, 587.56));
+  material.ior = static_cast<float>(refractive_index(*glass, kLineD));
   if (!Extension(source, "KHR_materials_transmission"))
     material.transmission = 1.0f, material.metallic = 0.0f;
   if (!Extension(source, "KHR_materials_volume").has("thicknessFactor")) material.thin_walled = false;

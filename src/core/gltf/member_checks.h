@@ -7,16 +7,16 @@ namespace photopic {
 
 /// Views inside their buffers, accessors and their sparse parts inside their views.
 /// @throws InputError
-void check_bytes(const Place& root);
+void check_bytes(const JsonPlace& root);
 
 /// Attributes of one primitive: types by their names, equal counts; morph targets and weights; instances;
 /// skins.
 /// @throws InputError
-void check_meshes(const Place& root);
+void check_meshes(const JsonPlace& root);
 
 /// Cameras, lights and images: members that depend on each other. Lists of nodes: none twice. Materials and
 /// lights: the spectra in their `extras`.
 /// @throws InputError
-void check_objects(const Place& root);
+void check_objects(const JsonPlace& root);
 
 }  // namespace photopic

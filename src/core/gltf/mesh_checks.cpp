@@ -33,17 +33,17 @@ constexpr std::array kInstances{
 
 class AttributeCheck {
  public:
-  explicit AttributeCheck(const Place& root) : root_(root) {}
+  explicit AttributeCheck(const JsonPlace& root) : root_(root) {}
 
   /// All accessors of known names must be of their types and of one count: `count` if it is given.
   template <std::size_t N>
-  void operator()(const Place& attributes, const std::array<Semantic, N>& semantics,
+  void operator()(const JsonPlace& attributes, const std::array<Semantic, N>& semantics,
                   std::optional<std::uint64_t> count) const {
     for (auto& [key, value] : attributes.value.items()) {
       const auto is_named = [&name = key](const Semantic& s) { return name.starts_with(s.name); };
       const auto semantic = std::ranges::find_if(semantics, is_named);
       if (semantic == semantics.end()) continue;
-      const Place at = attributes.member(key, value);
+      const JsonPlace at = attributes.member(key, value);
       const Json& accessor = accessor_of(at);
       const auto& type = accessor.at("type").get_ref<const std::string&>();
       if (type != semantic->type && type != semantic->other_type)
@@ -57,13 +57,13 @@ class AttributeCheck {
     }
   }
 
-  const Json& accessor_of(const Place& at) const {
+  const Json& accessor_of(const JsonPlace& at) const {
     return root_.value.at("accessors").at(at.value.get<std::size_t>());
   }
 
  private:
   static constexpr int kUnsignedInt = 5125;
-  const Place& root_;
+  const JsonPlace& root_;
 };
 
 std::size_t target_count(const Json& mesh) {
@@ -72,20 +72,20 @@ std::size_t target_count(const Json& mesh) {
   return any ? primitives[0].at("targets").size() : 0;
 }
 
-void check_weights(const Place& at, std::size_t targets) {
+void check_weights(const JsonPlace& at, std::size_t targets) {
   if (!at.has("weights")) return;
-  const Place weights = at.member("weights");
+  const JsonPlace weights = at.member("weights");
   if (!weights.value.empty() && weights.value.size() != targets)
     weights.fail(fmt::format("there are {} weights for {} morph targets", weights.value.size(), targets));
 }
 
-void check_primitive(const Place& at, std::size_t targets, const AttributeCheck& check) {
-  const Place attributes = at.member("attributes");
+void check_primitive(const JsonPlace& at, std::size_t targets, const AttributeCheck& check) {
+  const JsonPlace attributes = at.member("attributes");
   std::optional<std::uint64_t> count;
   if (attributes.has("POSITION")) count = check.accessor_of(attributes.member("POSITION")).at("count");
   check(attributes, kAttributes, count);
   std::size_t own = 0;
-  for_each_in(at, "targets", [&](const Place& target) {
+  for_each_in(at, "targets", [&](const JsonPlace& target) {
     check(target, kTargets, count);
     ++own;
   });
@@ -93,9 +93,9 @@ void check_primitive(const Place& at, std::size_t targets, const AttributeCheck&
     at.fail(fmt::format("it has {} morph targets, the mesh's first primitive {}", own, targets));
 }
 
-void check_skin(const Place& at, const AttributeCheck& check) {
+void check_skin(const JsonPlace& at, const AttributeCheck& check) {
   if (!at.has("inverseBindMatrices")) return;
-  const Place matrices = at.member("inverseBindMatrices");
+  const JsonPlace matrices = at.member("inverseBindMatrices");
   const Json& accessor = check.accessor_of(matrices);
   constexpr int kFloat = 5126;
   if (accessor.at("type") != "MAT4" || accessor.at("componentType") != kFloat)
@@ -106,24 +106,24 @@ void check_skin(const Place& at, const AttributeCheck& check) {
 
 }  // namespace
 
-void check_meshes(const Place& root) {
+void check_meshes(const JsonPlace& root) {
   const AttributeCheck check(root);
-  for_each_in(root, "meshes", [&](const Place& mesh) {
+  for_each_in(root, "meshes", [&](const JsonPlace& mesh) {
     const std::size_t targets = target_count(mesh.value);
     check_weights(mesh, targets);
-    for_each_in(mesh, "primitives", [&](const Place& at) { check_primitive(at, targets, check); });
+    for_each_in(mesh, "primitives", [&](const JsonPlace& at) { check_primitive(at, targets, check); });
   });
-  for_each_in(root, "nodes", [&](const Place& node) {
+  for_each_in(root, "nodes", [&](const JsonPlace& node) {
     if (node.has("mesh"))
       check_weights(node, target_count(root.value.at("meshes").at(node.value.at("mesh").get<std::size_t>())));
-    for_extension(node, "EXT_mesh_gpu_instancing", [&](const Place& at) {
-      const Place attributes = at.member("attributes");
+    for_extension(node, "EXT_mesh_gpu_instancing", [&](const JsonPlace& at) {
+      const JsonPlace attributes = at.member("attributes");
       if (attributes.value.empty())
         attributes.fail("it is empty, so that there is no number of instances", "take the extension out");
       check(attributes, kInstances, {});
     });
   });
-  for_each_in(root, "skins", [&](const Place& skin) { check_skin(skin, check); });
+  for_each_in(root, "skins", [&](const JsonPlace& skin) { check_skin(skin, check); });
 }
 
 }  // namespace photopic

@@ -1,8 +1,9 @@
 #include "core/lights/area_light.h"
 
 #include <numbers>
+#include <optional>
 
-#include "core/lights/area_sampling.h"
+#include "core/lights/light_view.h"
 #include "core/surface_point.h"
 
 namespace photopic {
@@ -41,7 +42,6 @@ int steps_across(const Geometry& geometry, const Surface& surface, std::uint32_t
 float luminance_of(const Scene& scene, std::span<const Surface> surfaces, std::uint32_t material,
                    std::uint32_t triangle) {
   const float luminance = scene.materials[material].emission_luminance;
-  if (surfaces.empty()) return luminance;
   const Surface& surface = surfaces[material];
   if (!surface.emission_varies && !surface.partly_covers) return luminance;
   const int steps = steps_across(scene.geometry, surface, triangle);
@@ -98,17 +98,6 @@ std::optional<AreaLight> make_light(const Outline& outline, bool whole, float er
 }
 
 }  // namespace
-
-std::optional<LightSample> AreaLight::sample(Vec3f from, Sample2d u) const {
-  const AreaSample<float> point = sample_area_light(*this, from, u);
-  if (!point.reached) return {};
-  LightSample s{};
-  s.direction = point.direction, s.end = point.end;
-  s.distance = point.distance, s.pdf = point.pdf;
-  s.material = material;
-  s.triangle = triangle + (parallelogram && point.in_first ? 1u : 0u);
-  return s;
-}
 
 float AreaLight::pdf(Vec3f from, float distance) const {
   const LightView<float> view(*this, from);

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/lights/light.h"
-#include "core/sampling.h"
 #include "core/scene.h"
 #include "core/surface.h"
 #include "core/surface_point.h"
@@ -16,7 +14,8 @@ namespace photopic {
 /// large, by area where it is so far that both are nearly the same. A line of memory: of many lights, each
 /// choice waits for one.
 struct alignas(64) AreaLight {
-  Vec3f vertex, edge1, edge2;  ///< drawn towards the middle a little; see shrink_to_middle
+  Vec3f vertex, edge1, edge2;  ///< [m], relative to Scene::origin; drawn towards the middle a little: see
+                               ///< shrink_to_middle
   Vec3f normal;                ///< of the front, unit
   float area;                  ///< [m²]
   float error;                 ///< bound on a point's distance from its triangle's plane [m]
@@ -25,10 +24,8 @@ struct alignas(64) AreaLight {
   bool parallelogram : 1;  ///< else a triangle; the half on edge1 is then the second triangle
   bool double_sided : 1;
 
-  /// Nothing where it cannot be seen from. What it emits is for the caller to fill in.
-  std::optional<LightSample> sample(Vec3f from, Sample2d u) const;
-
-  /// The density of sample() [1/sr] in the direction of a point of it. @param distance to it [m]
+  /// The density with which AreaLightLanes samples [1/sr] the direction of a point of it. @param distance to
+  /// it [m]
   float pdf(Vec3f from, float distance) const;
 };
 static_assert(sizeof(AreaLight) == 64);
@@ -36,8 +33,8 @@ static_assert(sizeof(AreaLight) == 64);
 /// A scene's area lights, and which of them a triangle belongs to.
 class AreaLights {
  public:
-  /// @param surfaces of the scene's materials; where there are none, nothing varies over them
-  explicit AreaLights(const Scene& scene, std::span<const Surface> surfaces = {});
+  /// @param surfaces of the scene's materials
+  AreaLights(const Scene& scene, std::span<const Surface> surfaces);
 
   const std::vector<AreaLight>& list() const { return lights_; }
 

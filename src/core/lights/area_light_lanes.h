@@ -12,7 +12,7 @@ struct AreaLightLanes {
   explicit AreaLightLanes(const AreaLight& in_all);
   explicit AreaLightLanes(const std::array<const AreaLight*, kLanes>& lights);
 
-  /// AreaLight::sample of each.
+  /// A point of each, where it can be seen from there; what it emits is for the caller to fill in.
   void sample(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const;
 
   Vec3Lanes vertex, edge1, edge2, normal;

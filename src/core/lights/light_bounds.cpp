@@ -54,7 +54,7 @@ double cost_of(const LightBounds& b) {
       2.0 * std::numbers::pi * (1.0 - std::cos(o)) +
       0.5 * std::numbers::pi *
           (2.0 * w * std::sin(o) - std::cos(o - 2.0 * w) - 2.0 * o * std::sin(o) + std::cos(o));
-  // A flat or thin box still has an extent.
+  // A flat or thin box still has an extent: a share of its diagonal too small to count in any other.
   return b.intensity * angle * (area + 1e-3 * diagonal2);
 }
 

@@ -13,7 +13,7 @@ namespace photopic {
 /// axis) and how far each shines beyond its normal (θ_e). Conty Estevez & Kulla 2018, "Importance Sampling of
 /// Many Lights with Adaptive Tree Splitting", section 4.
 struct LightBounds {
-  Vec3f low{}, high{};
+  Vec3f low{}, high{};     ///< corners of the box, relative to Scene::origin [m]
   Vec3f axis{};            ///< unit
   float cos_o = 1.0f;      ///< −1: normals all around
   float cos_e = 0.0f;      ///< of π/2 for surfaces, π for points

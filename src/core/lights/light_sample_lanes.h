@@ -9,15 +9,13 @@
 
 namespace photopic {
 
-/// Points that light is gathered at, and the random numbers to do it with; see LightSampler::sample.
+/// Points that light is gathered at, and the random numbers to do it with.
 struct LightReferenceLanes {
-  Vec3Lanes position, normal;
-  std::array<std::span<const float>, kLanes> spectra;
-  DoubleLanes u_choice;
+  Vec3Lanes position, normal;                          ///< see LightReference
+  std::array<std::span<const float>, kLanes> spectra;  ///< LightSampler::spectrum_probabilities(), or empty
+  DoubleLanes u_choice;                                ///< in [0, 1), of 32 bits or more
   Sample2dLanes u;
   int count;  ///< of the lanes in use
-
-  LightReference operator[](int i) const { return {lane(position, i), lane(normal, i)}; }
 };
 
 /// LightSample's fields for the paths of a packet.

@@ -65,21 +65,13 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
       punctual_lights_(scene.punctual_lights),
       environment_(scene.environment),
       power_of_spectrum_(scene.emission_spectra.size()) {
-  // The power of every light.
-  std::vector<double> power;
-  std::vector<int> spectrum;
-  const auto add = [&](double p, int k) { power.push_back(p), spectrum.push_back(k); };
-  for (std::uint32_t i = 0; i < area_lights_.list().size(); ++i)
-    add(area_lights_.power(i), area_lights_.emission(area_lights_.list()[i]).spectrum);
-  for (const PunctualLight& light : punctual_lights_) add(light.power(radius), light.emission_spectrum);
-  if (environment_)
-    add(environment_->flux_density() * kPiD * radius * radius, environment_->emission_spectrum);
+  const auto [power, spectrum] = list_powers(radius);
   places_.resize(power.size());
-
   const std::size_t kinds = std::set(spectrum.begin(), spectrum.end()).size();
   const bool in_trees = std::ranges::count_if(power, [](double p) { return p > 0.0; }) >= kTreesFrom;
   groups_.resize(in_trees && kinds > kMostTrees ? 1 : power_of_spectrum_.size());
   share_of_group_.resize(groups_.size());
+
   double bounded = 0.0, unbounded = 0.0;
   std::vector<std::vector<std::uint32_t>> members(groups_.size());
   for (std::uint32_t i = 0; i < power.size(); ++i) {
@@ -94,18 +86,36 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
 
   // What they are chosen by.
   const double factor = balance(bounded, unbounded), total = bounded + factor * unbounded;
-  for (std::uint32_t i = 0; i < power.size(); ++i) power[i] *= (is_unbounded(i) ? factor : 1.0) / total;
+  std::vector<double> weight = power;
+  for (std::uint32_t i = 0; i < power.size(); ++i) weight[i] *= (is_unbounded(i) ? factor : 1.0) / total;
   for (std::size_t k = 0; k < groups_.size(); ++k) {
     if (members[k].empty()) continue;
     ++lit_groups_;
     only_group_ = k;
-    make_group(groups_[k], members[k], power, in_trees);
-    for (const std::uint32_t i : members[k]) share_of_group_[k] += static_cast<float>(power[i]);
+    make_group(groups_[k], members[k], weight, in_trees);
+    for (const std::uint32_t i : members[k]) share_of_group_[k] += static_cast<float>(weight[i]);
   }
-  if (lit_groups_ == 1) {
-    const auto& lights = groups_[only_group_].lights;
-    if (lights.size() == 1 && lights[0] < area_lights_.list().size()) only_area_light_ = lights[0];
-  }
+  only_area_light_ = find_only_area_light();
+}
+
+LightSampler::Powers LightSampler::list_powers(double radius) const {
+  Powers powers;
+  const auto add = [&](double power, int spectrum) {
+    powers.power.push_back(power), powers.spectrum.push_back(spectrum);
+  };
+  for (std::uint32_t i = 0; i < area_lights_.list().size(); ++i)
+    add(area_lights_.power(i), area_lights_.emission(area_lights_.list()[i]).spectrum);
+  for (const PunctualLight& light : punctual_lights_) add(light.power(radius), light.emission_spectrum);
+  if (environment_)
+    add(environment_->flux_density() * kPiD * radius * radius, environment_->emission_spectrum);
+  return powers;
+}
+
+std::optional<std::uint32_t> LightSampler::find_only_area_light() const {
+  if (lit_groups_ != 1) return {};
+  const auto& lights = groups_[only_group_].lights;
+  if (lights.size() != 1 || lights[0] >= area_lights_.list().size()) return {};
+  return lights[0];
 }
 
 bool LightSampler::is_unbounded(std::uint32_t light) const {
@@ -160,28 +170,8 @@ void LightSampler::spectrum_probabilities(std::span<float> brightness) const {
   }
 }
 
-std::optional<LightSample> LightSampler::sample(const LightReference& at, std::span<const float> spectra,
-                                                double u_choice, Sample2d u) const {
-  Pick chosen = pick(spectra, u_choice);
-  if (chosen.tree) chosen.take(chosen.tree->choose(at, chosen.u));
-  if (chosen.light == kNoLight) return {};
-  std::optional<LightSample> s = sample_light(chosen.light, at.position, u);
-  if (s) s->pdf *= chosen.probability;
-  return s;
-}
-
-std::optional<LightSample> LightSampler::sample_light(std::uint32_t light, Vec3f from, Sample2d u) const {
-  const std::size_t areas = area_lights_.list().size();
-  if (light < areas) {
-    const AreaLight& area_light = area_lights_.list()[light];
-    std::optional<LightSample> s = area_light.sample(from, u);
-    if (s) {
-      s->radiance = area_lights_.emission(area_light).luminance;
-      s->spectrum = area_lights_.emission(area_light).spectrum;
-    }
-    return s;
-  }
-  if (light < environment_index()) return punctual_lights_[light - areas].sample(from);
+std::optional<LightSample> LightSampler::sample_other(std::uint32_t light, Vec3f from, Sample2d u) const {
+  if (light < environment_index()) return punctual_lights_[light - area_lights_.list().size()].sample(from);
   const Environment::Sample way = environment_->sample(u);
   if (!(way.pdf > 0.0f)) return {};
   LightSample s{};
@@ -196,7 +186,7 @@ std::optional<LightSample> LightSampler::sample_light(std::uint32_t light, Vec3f
 
 float LightSampler::choice_probability(const LightReference& at, std::span<const float> spectra, int spectrum,
                                        std::uint32_t light) const {
-  const Place& place = places_[light];
+  const PlaceInGroup& place = places_[light];
   if (place.entry == kNoLight) return 0.0f;
   const std::size_t k = group_of(spectrum);
   const Group& group = groups_[k];

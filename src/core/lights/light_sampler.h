@@ -18,8 +18,8 @@ namespace photopic {
 class LightSampler {
  public:
   /// @param radius of a sphere about the scene: what directional lights and the environment light [m]
-  /// @param surfaces of the scene's materials; where there are none, nothing varies over them
-  explicit LightSampler(const Scene& scene, double radius = 1.0, std::span<const Surface> surfaces = {});
+  /// @param surfaces of the scene's materials
+  LightSampler(const Scene& scene, double radius, std::span<const Surface> surfaces);
 
   bool empty() const { return lit_groups_ == 0; }
 
@@ -34,12 +34,7 @@ class LightSampler {
   /// wavelengths times throughput and observer, up to a common factor) into the probability of choosing it.
   void spectrum_probabilities(std::span<float> brightness) const;
 
-  /// Nothing where the light chosen does not reach.
-  /// @param spectra of spectrum_probabilities(), or empty @param u_choice in [0, 1), of 32 bits or more
-  std::optional<LightSample> sample(const LightReference& at, std::span<const float> spectra, double u_choice,
-                                    Sample2d u) const;
-
-  /// The same for several points at once.
+  /// A light for each point, and a direction to it.
   void sample(const LightReferenceLanes& at, LightSampleLanes& samples) const;
 
   /// Whether one area light is all there is.
@@ -48,7 +43,7 @@ class LightSampler {
   void sample_only_light(const Vec3Lanes& from, const Sample2dLanes& u, LightSampleLanes& samples) const;
 
   /// The density with which sample() gives a direction that ends at a glowing triangle [1/sr].
-  /// @param distance to the hit [m]
+  /// @param spectra as LightReferenceLanes has them @param distance to the hit [m]
   float pdf(const LightReference& at, std::span<const float> spectra, std::uint32_t shape,
             std::uint32_t triangle, float distance) const;
 
@@ -67,9 +62,15 @@ class LightSampler {
     LightTree tree;
   };
   /// Where a light stands in its group.
-  struct Place {
+  struct PlaceInGroup {
     std::uint32_t entry = kNoLight;  ///< of the table; kNoLight: it seems dark and is never chosen
     std::uint32_t leaf = 0;          ///< of the tree, when that is the entry
+  };
+
+  /// Of each light.
+  struct Powers {
+    std::vector<double> power;  ///< luminous flux [lm]
+    std::vector<int> spectrum;  ///< index into Scene::emission_spectra
   };
 
   /// A light, or a tree that is still to choose it.
@@ -81,6 +82,8 @@ class LightSampler {
 
     void take(const LightTree::Choice& choice) { light = choice.light, probability *= choice.probability; }
   };
+  Powers list_powers(double radius) const;
+  std::optional<std::uint32_t> find_only_area_light() const;
   Pick pick(std::span<const float> spectra, double u_choice) const;
   LightTree::Choices choose_lights(const LightReferenceLanes& at) const;
   LightTree::Choices choose_among_all(const LightReferenceLanes& at) const;
@@ -95,7 +98,8 @@ class LightSampler {
   std::size_t group_of(int spectrum) const {
     return groups_.size() == 1 ? 0 : static_cast<std::size_t>(spectrum);
   }
-  std::optional<LightSample> sample_light(std::uint32_t light, Vec3f from, Sample2d u) const;
+  /// @param light no area light
+  std::optional<LightSample> sample_other(std::uint32_t light, Vec3f from, Sample2d u) const;
   std::uint32_t environment_index() const {
     return static_cast<std::uint32_t>(area_lights_.list().size() + punctual_lights_.size());
   }
@@ -106,8 +110,8 @@ class LightSampler {
   AreaLights area_lights_;
   std::vector<PunctualLight> punctual_lights_;
   std::shared_ptr<const Environment> environment_;
-  std::vector<Group> groups_;  ///< of each emission spectrum, or one of all
-  std::vector<Place> places_;  ///< of each light
+  std::vector<Group> groups_;         ///< of each emission spectrum, or one of all
+  std::vector<PlaceInGroup> places_;  ///< of each light
   std::vector<double> power_of_spectrum_;
   std::vector<float> share_of_group_;
   int lit_groups_ = 0;

@@ -80,7 +80,7 @@ void LightSampler::sample(const LightReferenceLanes& at, LightSampleLanes& s) co
   }
   for_each_lane(other, [&](int i) {
     const std::uint32_t choice = choices[static_cast<std::size_t>(i)].light;
-    s.set(i, choice == kNoLight ? std::nullopt : sample_light(choice, lane(at.position, i), lane(at.u, i)));
+    s.set(i, choice == kNoLight ? std::nullopt : sample_other(choice, lane(at.position, i), lane(at.u, i)));
   });
   s.pdf *= probability;
 }

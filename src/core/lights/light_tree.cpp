@@ -93,7 +93,6 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
   std::iota(order.begin(), order.end(), 0u);
   Build build{lights, 0.0};
   build.total_intensity = build.intensity(order);
-  const auto name_of = [&](std::uint32_t light) { return names.empty() ? light : names[light]; };
 
   struct Pending {
     std::uint32_t node;
@@ -108,10 +107,10 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
     const std::vector<LightCluster> branches = build.branches(cluster, node == 0);
     if (node == 0) root_width_ = static_cast<std::uint32_t>(branches.size());
     for (const LightCluster& branch : branches) {
-      const Place place = node * kWidth + lane;
+      const BranchIndex place = node * kWidth + lane;
       build.fill(nodes_[node], lane, branch);
       if (branch.members.size() == 1) {
-        nodes_[node].child[lane] = ~static_cast<std::int32_t>(name_of(branch.members[0]));
+        nodes_[node].child[lane] = ~static_cast<std::int32_t>(names[branch.members[0]]);
         place_of_light_[branch.members[0]] = place;
       } else {
         if (branch.bounds.cos_o > kNarrowCone) {
@@ -131,17 +130,17 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
   // Now the order is final.
   for (const auto members : alike)
     clusters_.push_back({build.table(members), static_cast<std::uint32_t>(members.data() - order.data())});
-  for (const std::uint32_t i : order) lights_in_order_.push_back(name_of(i));
+  for (const std::uint32_t i : order) lights_in_order_.push_back(names[i]);
 }
 
 float LightTree::probability(const LightReference& at, std::uint32_t light) const {
   // Up to the root, where whatever is chosen within a cluster by intensity begins anew.
-  Place place = place_of_light_[light];
+  BranchIndex place = place_of_light_[light];
   const float intensity = nodes_[place / kWidth].branches.intensity[place % kWidth];
   float probability = 1.0f;
   while (place != kRoot) {
     const Node& n = nodes_[place / kWidth];
-    const Place above = place_of_node_[place / kWidth];
+    const BranchIndex above = place_of_node_[place / kWidth];
     const Node& parent = nodes_[above == kRoot ? 0 : above / kWidth];
     if (above != kRoot && parent.seen_alike(above % kWidth, at.position)) {
       probability = intensity / parent.branches.intensity[above % kWidth];

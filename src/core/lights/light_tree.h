@@ -17,8 +17,8 @@ class LightTree {
  public:
   LightTree() = default;
   /// @param lights of intensity > 0, at least one
-  /// @param names what choose() calls them; by default their indices
-  explicit LightTree(const std::vector<LightBounds>& lights, std::span<const std::uint32_t> names = {});
+  /// @param names what choose() calls them
+  LightTree(const std::vector<LightBounds>& lights, std::span<const std::uint32_t> names);
 
   bool empty() const { return nodes_.empty(); }
 
@@ -28,10 +28,7 @@ class LightTree {
   };
   using Choices = std::array<Choice, kLanes>;
 
-  /// @param u in [0, 1)
-  Choice choose(const LightReference& at, double u) const;
-
-  /// The same for several points at once. @param wanted lanes, of which the choices are filled in
+  /// For several points at once. @param u in [0, 1) @param wanted lanes, of which the choices are filled in
   void choose(const BasicLightReference<Lanes>& at, const DoubleLanes& u,
               std::span<const std::uint32_t> wanted, Choices& choices) const;
 
@@ -61,15 +58,15 @@ class LightTree {
   class Descents;
 
   /// A node's lane, node · kWidth + lane.
-  using Place = std::uint32_t;
-  static constexpr Place kRoot = ~0u;
+  using BranchIndex = std::uint32_t;
+  static constexpr BranchIndex kRoot = ~0u;
 
   std::vector<Node> nodes_;
   std::uint32_t root_width_ = 0;  ///< how many branches the first has
   std::vector<Cluster> clusters_;
   std::vector<std::uint32_t> lights_in_order_;  ///< their names, so that each branch's stand together
-  std::vector<Place> place_of_node_;            ///< in its parent
-  std::vector<Place> place_of_light_;
+  std::vector<BranchIndex> place_of_node_;      ///< in its parent
+  std::vector<BranchIndex> place_of_light_;
 };
 
 }  // namespace photopic

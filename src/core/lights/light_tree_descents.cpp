@@ -134,10 +134,4 @@ void LightTree::choose(const BasicLightReference<Lanes>& at, const DoubleLanes& 
   descents.draw_by_intensity();
 }
 
-LightTree::Choice LightTree::choose(const LightReference& at, double u) const {
-  Choices choices;
-  choose({to_lanes(at.position), to_lanes(at.normal)}, DoubleLanes{} + u, std::array{0u}, choices);
-  return choices[0];
-}
-
 }  // namespace photopic

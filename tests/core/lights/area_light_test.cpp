@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/sample_sequence.h"
+#include "support/one_light.h"
 #include "support/standard_scenes.h"
 #include "support/statistics.h"
 
@@ -34,7 +35,7 @@ struct Lamp {
       b.quad(corner, corner + edge1, corner + edge1 + edge2, corner + edge2, material);
     else
       b.triangle(corner, corner + edge1, corner + edge2, material);
-    return AreaLights(b.build(), {});
+    return area_lights_of(b.build());
   }
 
   /// The solid angle of the part between fractions of the edges, from a point; of a triangle the half below
@@ -79,7 +80,7 @@ void check_samples(const Lamp& lamp, Vec3d from, const std::string& what) {
   const double det = xx * yy - xy * xy;
   float least = 1e30f, most = 0.0f;
   for (std::uint32_t i = 0; i < kSamples; ++i) {
-    const auto s = light.sample(to_float(from), SampleStream(Sequence::independent, 5, 0, i).get_2d(0));
+    const auto s = sample_one(light, to_float(from), SampleStream(Sequence::independent, 5, 0, i).get_2d(0));
     ASSERT_TRUE(s) << what;
     EXPECT_NEAR(length(s->direction), 1.0f, 1e-5f);
     // The same density is found again by a ray that hits the point.
@@ -138,7 +139,7 @@ TEST(AreaLight, SmallAndFarFromTheOrigin) {
       const AreaLight& light = lights.list().at(0);
       const Vec3f from = to_float(Vec3d{offset + 0.3 * size, 0.2 * size, 0.4 * size});
       for (std::uint32_t i = 0; i < 1000; ++i) {
-        const auto s = light.sample(from, SampleStream(Sequence::sobol, 1, 0, i).get_2d(0));
+        const auto s = sample_one(light, from, SampleStream(Sequence::sobol, 1, 0, i).get_2d(0));
         if (!s) continue;
         const Vec3f p = from + s->direction * s->distance;
         EXPECT_NEAR(p.z, 0.0, 1e-3 * size + 1e-4 * (offset > 0));
@@ -157,7 +158,7 @@ TEST(AreaLight, PairsOfTriangles) {
   b.triangle({0, 0, 2}, {1, 0, 2}, {2, 0, 2}, material);           // no area
   b.quad({0, 0, 3}, {1, 0, 3}, {1, 1, 3}, {0, 1, 3}, b.material(diffuse(ConstantSpectrum{0.5})));
   b.box({0, 0, 4}, {1, 1, 5}, material);
-  const AreaLights lights(b.build(), {});
+  const AreaLights lights = area_lights_of(b.build());
   ASSERT_EQ(lights.list().size(), 9u);
   EXPECT_EQ(lights.light_of(0, 0), lights.light_of(0, 1));
   EXPECT_NE(lights.light_of(1, 2), lights.light_of(1, 3));
@@ -172,10 +173,10 @@ TEST(AreaLight, SamplesNameTheirTriangle) {
   SceneBuilder b;
   b.quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, b.lamp(d65(), 1.0));
   const Scene scene = b.build();
-  const AreaLights lights(scene, {});
+  const AreaLights lights = area_lights_of(scene);
   for (const Vec3f from : {Vec3f{0.3f, 0.6f, 0.4f}, Vec3f{0.2f, 0.9f, 9.0f}})
     for (std::uint32_t i = 0; i < 200; ++i) {
-      const auto s = lights.list()[0].sample(from, SampleStream(Sequence::sobol, 3, 0, i).get_2d(0));
+      const auto s = sample_one(lights.list()[0], from, SampleStream(Sequence::sobol, 3, 0, i).get_2d(0));
       ASSERT_TRUE(s);
       const Vec3f p = from + s->direction * s->distance;
       if (std::abs(p.x - p.y) < 1e-4f) continue;
@@ -186,10 +187,10 @@ TEST(AreaLight, SamplesNameTheirTriangle) {
 TEST(AreaLight, SidesOfALight) {
   SceneBuilder b;
   b.floor({0, 0, 0}, 1, 1, b.lamp(d65(), 1.0));
-  const AreaLights lights(b.build(), {});
-  EXPECT_TRUE(lights.list()[0].sample({0, 0, 1}, {0.3f, 0.4f}));
-  EXPECT_FALSE(lights.list()[0].sample({0, 0, -1}, {0.3f, 0.4f}));
-  EXPECT_FALSE(lights.list()[0].sample({3, 0, 0}, {0.3f, 0.4f}));
+  const AreaLights lights = area_lights_of(b.build());
+  EXPECT_TRUE(sample_one(lights.list()[0], {0, 0, 1}, {0.3f, 0.4f}));
+  EXPECT_FALSE(sample_one(lights.list()[0], {0, 0, -1}, {0.3f, 0.4f}));
+  EXPECT_FALSE(sample_one(lights.list()[0], {3, 0, 0}, {0.3f, 0.4f}));
 }
 
 /// A solid angle knows no scale, though the cube of a distance may be no number.
@@ -199,7 +200,7 @@ TEST(AreaLight, DensityIsTheSameAtEveryScale) {
     const auto density = [&](double scale) {
       const Lamp scaled{lamp.corner * scale, lamp.edge1 * scale, lamp.edge2 * scale, lamp.parallelogram};
       const AreaLights lights = scaled.lights();
-      const auto s = lights.list()[0].sample(to_float(from * scale), {0.3f, 0.4f});
+      const auto s = sample_one(lights.list()[0], to_float(from * scale), {0.3f, 0.4f});
       return s ? s->pdf : 0.0f;
     };
     for (const double scale : {1e-12, 1e-3, 1e3, 1e13})

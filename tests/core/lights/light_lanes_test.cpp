@@ -2,6 +2,7 @@
 
 #include "core/lights/light_sampler.h"
 #include "core/sample_sequence.h"
+#include "support/one_light.h"
 #include "support/standard_scenes.h"
 
 namespace photopic {
@@ -77,14 +78,15 @@ void expect_same(const LightSampleLanes& lanes, int i, const std::optional<Light
 /// may be all there is.
 TEST(LightLanes, AsOneByOne) {
   for (const Scene& scene : {with_others(3), with_others(100), lamps(100).build()}) {
-    const LightSampler lights(scene, 5.0);
+    const LightSampler lights = lights_of(scene, 5.0);
     int reached = 0;
     for (std::uint32_t k = 0; k < 200; ++k) {
       const LightReferenceLanes at = some_points(k, k % 16 + 1);
       LightSampleLanes samples;
       lights.sample(at, samples);
       for (int i = 0; i < at.count; ++i) {
-        const auto one = lights.sample(at[i], {}, at.u_choice[i], lane(at.u, i));
+        const LightReference here{lane(at.position, i), lane(at.normal, i)};
+        const auto one = sample_one(lights, here, {}, at.u_choice[i], lane(at.u, i));
         reached += one.has_value();
         expect_same(samples, i, one);
       }
@@ -101,17 +103,20 @@ TEST(LightLanes, OneLampAlone) {
       b.ceiling({0, 0, 1}, 0.7, 0.4, material);
     else
       b.triangle({0, 0, 1}, {1, 0, 1}, {0, 1, 1.2}, material);
-    const LightSampler lights(b.build());
+    const LightSampler lights = lights_of(b.build());
     for (std::uint32_t k = 0; k < 50; ++k) {
       const LightReferenceLanes at = some_points(k, kLanes);
       LightSampleLanes samples;
       ASSERT_TRUE(lights.has_only_light());
       lights.sample_only_light(at.position, at.u, samples);
-      for (int i = 0; i < kLanes; ++i) expect_same(samples, i, lights.sample(at[i], {}, 0.5, lane(at.u, i)));
+      for (int i = 0; i < kLanes; ++i) {
+        const LightReference here{lane(at.position, i), {}};
+        expect_same(samples, i, sample_one(lights, here, {}, 0.5, lane(at.u, i)));
+      }
     }
   }
   LightSampleLanes samples;
-  EXPECT_FALSE(LightSampler(lamps(2).build()).has_only_light());
+  EXPECT_FALSE(lights_of(lamps(2).build()).has_only_light());
 }
 
 }  // namespace

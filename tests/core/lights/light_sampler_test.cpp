@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 #include "core/sample_sequence.h"
+#include "support/one_light.h"
 #include "support/standard_scenes.h"
 #include "support/statistics.h"
 
@@ -39,14 +43,14 @@ SceneBuilder three_lamps(bool one_spectrum) {
 constexpr Vec3f kPlace{0.3f, 0.2f, 1.5f};
 
 TEST(LightSampler, ChoosesByPower) {
-  const LightSampler lights(three_lamps(true).build());
+  const LightSampler lights = lights_of(three_lamps(true).build());
   EXPECT_FALSE(lights.several_spectra());
   constexpr int kSamples = 100000;
   std::vector<double> observed(3);
   const std::vector<double> expected{kSamples * 2 / 18.0, kSamples * 12 / 18.0, kSamples * 4 / 18.0};
   for (std::uint32_t i = 0; i < kSamples; ++i) {
     const SampleStream stream(Sequence::independent, 8, 0, i);
-    const auto s = lights.sample({kPlace, {}}, {}, stream.get_1d_fine(0), stream.get_2d(1));
+    const auto s = sample_one(lights, {kPlace, {}}, {}, stream.get_1d_fine(0), stream.get_2d(1));
     ASSERT_TRUE(s);
     ++observed[s->triangle / 2];
   }
@@ -55,7 +59,7 @@ TEST(LightSampler, ChoosesByPower) {
 
 /// With the probabilities of spectra given, they are kept, and within a spectrum the powers.
 TEST(LightSampler, ChoosesSpectraAsTold) {
-  const LightSampler lights(three_lamps(false).build());
+  const LightSampler lights = lights_of(three_lamps(false).build());
   ASSERT_TRUE(lights.several_spectra());
   std::vector<float> spectra{0.5f, 3.0f};  // times powers 6 and 12
   lights.spectrum_probabilities(spectra);
@@ -66,7 +70,7 @@ TEST(LightSampler, ChoosesSpectraAsTold) {
   const std::vector<double> expected{kSamples / 39.0, kSamples * 36 / 39.0, kSamples * 2 / 39.0};
   for (std::uint32_t i = 0; i < kSamples; ++i) {
     const SampleStream stream(Sequence::independent, 8, 0, i);
-    const auto s = lights.sample({kPlace, {}}, spectra, stream.get_1d_fine(0), stream.get_2d(1));
+    const auto s = sample_one(lights, {kPlace, {}}, spectra, stream.get_1d_fine(0), stream.get_2d(1));
     ASSERT_TRUE(s);
     EXPECT_EQ(s->spectrum, s->triangle / 2 == 1 ? 1 : 0);
     ++observed[s->triangle / 2];
@@ -75,11 +79,11 @@ TEST(LightSampler, ChoosesSpectraAsTold) {
 }
 
 TEST(LightSampler, DarkSpectraAndThoseThatAreNoNumbers) {
-  const LightSampler lights(three_lamps(false).build());
+  const LightSampler lights = lights_of(three_lamps(false).build());
   std::vector<float> dark{0.0f, 0.0f};
   lights.spectrum_probabilities(dark);
   EXPECT_EQ(dark, (std::vector<float>{0.0f, 0.0f}));
-  EXPECT_FALSE(lights.sample({kPlace, {}}, dark, 0.3, {0.5f, 0.5f}));
+  EXPECT_FALSE(sample_one(lights, {kPlace, {}}, dark, 0.3, {0.5f, 0.5f}));
   std::vector<float> odd{std::numeric_limits<float>::quiet_NaN(), 1.0f};
   lights.spectrum_probabilities(odd);
   EXPECT_NEAR(odd[0], 1.0 / 3.0, 1e-6);
@@ -120,7 +124,7 @@ TEST(LightSampler, SpotsWithHardEdges) {
                                      .intensity = 1.0f,
                                      .emission_spectrum = 0});
   }
-  const LightSampler lights(scene);
+  const LightSampler lights = lights_of(scene);
   for (std::uint32_t k = 0; k < 200; ++k) {
     const SampleStream place(Sequence::independent, 3, 0, k);
     const Vec3f at{place.get_1d(0) * 8 - 4, place.get_1d(1) * 8 - 4, place.get_1d(2) * 2.9f};
@@ -129,7 +133,7 @@ TEST(LightSampler, SpotsWithHardEdges) {
       if (const auto s = light.sample(at)) together += double{s->radiance};
     constexpr int kSamples = 4096;
     for (int i = 0; i < kSamples; ++i)
-      if (const auto s = lights.sample({at, {}}, {}, (i + 0.5) / kSamples, {}))
+      if (const auto s = sample_one(lights, {at, {}}, {}, (i + 0.5) / kSamples, {}))
         estimate += double{s->radiance} / double{s->pdf} / kSamples;
     EXPECT_NEAR(estimate, together, 0.02 * together) << k;
   }
@@ -173,11 +177,11 @@ TEST(LightSampler, NarrowSpotsCountWithinTheirBeams) {
          .intensity = 3.0f,
          .emission_spectrum = 0});
   }
-  const LightSampler lights(scene);
+  const LightSampler lights = lights_of(scene);
   constexpr int kSamples = 1 << 14;
   int spots = 0;
   for (int i = 0; i < kSamples; ++i) {
-    const auto s = lights.sample({{}, {}}, {}, (i + 0.5) / kSamples, {});
+    const auto s = sample_one(lights, {{}, {}}, {}, (i + 0.5) / kSamples, {});
     if (s && s->end == scene.punctual_lights[kSpot].position) ++spots;
   }
   const PunctualLight& spot = scene.punctual_lights[kSpot];
@@ -196,15 +200,15 @@ std::vector<float> some_probabilities(const LightSampler& lights) {
 
 /// Of a few kinds of light one is chosen first; of more there is one tree.
 TEST(LightSampler, ManyKindsStandInOneTree) {
-  EXPECT_TRUE(LightSampler(many_lamps(4).build()).several_spectra());
-  EXPECT_FALSE(LightSampler(many_lamps(5).build()).several_spectra());
+  EXPECT_TRUE(lights_of(many_lamps(4).build()).several_spectra());
+  EXPECT_FALSE(lights_of(many_lamps(5).build()).several_spectra());
 }
 
 /// The density that a sample has is the one that is found for a ray which hits its point.
 TEST(LightSampler, DensitiesAreFoundAgain) {
   for (const SceneBuilder& b : {three_lamps(false), many_lamps(2), many_lamps(7)}) {
     const Scene scene = b.build();
-    const LightSampler lights(scene);
+    const LightSampler lights = lights_of(scene);
     const std::vector<float> spectra = some_probabilities(lights);
     for (std::uint32_t k = 0; k < 50; ++k) {
       const SampleStream place(Sequence::independent, 3, 0, k);
@@ -212,7 +216,7 @@ TEST(LightSampler, DensitiesAreFoundAgain) {
                               {0, 0, k % 2 ? 1.0f : 0.0f}};
       for (std::uint32_t i = 0; i < 100; ++i) {
         const SampleStream stream(Sequence::independent, 8, k, i);
-        const auto s = lights.sample(at, spectra, stream.get_1d_fine(0), stream.get_2d(1));
+        const auto s = sample_one(lights, at, spectra, stream.get_1d_fine(0), stream.get_2d(1));
         if (!s) continue;
         EXPECT_NEAR(lights.pdf(at, spectra, s->triangle / 2, s->triangle, s->distance), s->pdf,
                     1e-3f * s->pdf);
@@ -248,7 +252,7 @@ double integrate_density(const LightSampler& lights, const Scene& scene, const L
 TEST(LightSampler, DensitiesAddUpToOne) {
   for (const SceneBuilder& b : {three_lamps(false), many_lamps(2), many_lamps(7)}) {
     const Scene scene = b.build();
-    const LightSampler lights(scene);
+    const LightSampler lights = lights_of(scene);
     const std::vector<float> spectra = some_probabilities(lights);
     for (std::uint32_t k = 0; k < 8; ++k) {
       const SampleStream place(Sequence::independent, 3, 0, k);
@@ -263,11 +267,75 @@ TEST(LightSampler, DensitiesAddUpToOne) {
       int given = 0;
       for (std::uint32_t i = 0; i < kSamples; ++i) {
         const SampleStream stream(Sequence::independent, 8, k, i);
-        given += lights.sample(at, spectra, (i + 0.5) / kSamples, stream.get_2d(1)).has_value();
+        given += sample_one(lights, at, spectra, (i + 0.5) / kSamples, stream.get_2d(1)).has_value();
       }
       EXPECT_NEAR(sum, static_cast<double>(given) / kSamples, 0.01) << k;
     }
   }
+}
+
+/// A lamp that fills a sixth of the sphere, a point, a spot, a directional light and an environment that is
+/// the same all around, their powers 8 : 4 : 6 : 4 : 6: each is chosen as often as its power asks for, with
+/// the density that it is to have.
+TEST(LightSampler, EveryKindFollowsItsDensity) {
+  SceneBuilder b;
+  b.ceiling({0, 0, 2}, 0.5, 0.5, b.lamp(d65(), 8.0));
+  Scene scene = b.build();
+  using Kind = PunctualLight::Kind;
+  const Vec3f point{1, 0, 1}, spot{0, 1, 3};
+  scene.punctual_lights = {
+      {.kind = Kind::point, .position = point, .intensity = 1.0f},
+      {.kind = Kind::spot, .position = spot, .cos_inner = 0.5f, .cos_outer = 0.5f, .intensity = 6.0f},
+      {.kind = Kind::directional, .intensity = 1.0f}};
+  for (PunctualLight& light : scene.punctual_lights) light.emission_spectrum = 0;
+  Image picture(1, 2);
+  for (int y = 0; y < 2; ++y) std::fill_n(picture.at(0, y), 3, static_cast<float>(6.0 / (16.0 * kPiD)));
+  auto environment = std::make_shared<Environment>(std::move(picture), 0.0);
+  environment->emission_spectrum = 0;
+  scene.environment = environment;
+  const LightSampler lights = lights_of(scene, 2.0);
+
+  const LightReference at{{0, 0, 1.5f}, {}};
+  const double chosen[] = {8 / 28.0, 4 / 28.0, 6 / 28.0, 4 / 28.0, 6 / 28.0};
+  const double pdf[] = {chosen[0] / (4 * kPiD / 6), chosen[1], chosen[2], chosen[3], chosen[4] / (4 * kPiD)};
+  const auto kind_of = [&](const LightSample& s) -> std::size_t {
+    if (s.environment) return 4;
+    if (!s.delta) return 0;
+    if (std::isinf(s.distance)) return 3;
+    return s.end == spot ? 2 : 1;
+  };
+  constexpr std::uint32_t kPackets = 5000;
+  std::vector<double> observed(5), expected;
+  for (const double p : chosen) expected.push_back(kPackets * kLanes * p);
+  for (std::uint32_t k = 0; k < kPackets; ++k) {
+    LightReferenceLanes packet{.position = broadcast<Lanes>(at.position),
+                               .normal = {},
+                               .spectra = {},
+                               .u_choice = {},
+                               .u = {},
+                               .count = kLanes};
+    for (int i = 0; i < kLanes; ++i) {
+      const SampleStream stream(Sequence::independent, 8, k, static_cast<std::uint32_t>(i));
+      const Sample2d u = stream.get_2d(1);
+      packet.u_choice[i] = stream.get_1d_fine(0), packet.u.x[i] = u.x, packet.u.y[i] = u.y;
+    }
+    LightSampleLanes samples;
+    lights.sample(packet, samples);
+    for (int i = 0; i < kLanes; ++i) {
+      const auto s = lane_of(samples, i);
+      ASSERT_TRUE(s);
+      const std::size_t kind = kind_of(*s);
+      ++observed[kind];
+      ASSERT_NEAR(s->pdf, pdf[kind], 1e-4 * pdf[kind]) << kind;
+      if (kind == 0) {
+        ASSERT_NEAR(lights.pdf(at, {}, 0, s->triangle, s->distance), s->pdf, 1e-4f * s->pdf);
+      }
+      if (kind == 4) {
+        ASSERT_NEAR(lights.environment_pdf(at, {}, s->direction), s->pdf, 1e-4f * s->pdf);
+      }
+    }
+  }
+  EXPECT_GT(chi_square_p_value(observed, expected), 1e-3);
 }
 
 TEST(LightSampler, PowerOfSpectra) {
@@ -276,7 +344,7 @@ TEST(LightSampler, PowerOfSpectra) {
   using Kind = PunctualLight::Kind;
   scene.punctual_lights = {{.kind = Kind::point, .intensity = 3.0f, .emission_spectrum = 0},
                            {.kind = Kind::directional, .intensity = 0.5f, .emission_spectrum = 1}};
-  const LightSampler lights(scene, 2.0);
+  const LightSampler lights = lights_of(scene, 2.0);
   ASSERT_EQ(lights.power_of_spectrum().size(), 2u);
   EXPECT_NEAR(lights.power_of_spectrum()[0], kPiD * 6.0 + 4 * kPiD * 3.0, 1e-4);
   EXPECT_NEAR(lights.power_of_spectrum()[1], kPiD * 12.0 + kPiD * 4.0 * 0.5, 1e-4);
@@ -286,13 +354,13 @@ TEST(LightSampler, DarkAndDegenerateLampsAreNotChosen) {
   SceneBuilder b;
   b.floor({0, 0, 0}, 1, 1, b.lamp(d65(), 0.0));
   b.triangle({0, 0, 1}, {1, 0, 1}, {2, 0, 1}, b.lamp(d65(), 5.0));
-  EXPECT_TRUE(LightSampler(b.build()).empty());
+  EXPECT_TRUE(lights_of(b.build()).empty());
   b.floor({0, 0, 2}, 1, 1, b.lamp(d65(), 1e-6));
-  const LightSampler lights(b.build());
+  const LightSampler lights = lights_of(b.build());
   ASSERT_FALSE(lights.empty());
   EXPECT_FALSE(lights.several_spectra());
   for (double u : {0.0, 0.5, 1.0 - 0x1p-32}) {
-    const auto s = lights.sample({{0, 0, 3}, {}}, {}, u, {0.3f, 0.6f});
+    const auto s = sample_one(lights, {{0, 0, 3}, {}}, {}, u, {0.3f, 0.6f});
     ASSERT_TRUE(s);
     EXPECT_GE(s->triangle, 3u);
   }

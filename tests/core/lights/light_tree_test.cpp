@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/sampling.h"
+#include "support/one_light.h"
 #include "support/statistics.h"
 
 namespace photopic {
@@ -37,7 +38,7 @@ std::vector<LightBounds> strewn(std::uint32_t count) {
 
 TEST(LightTree, ProbabilitiesSumToOneAtMost) {
   for (std::uint32_t count : {1u, 2u, 3u, 50u, 1000u}) {
-    const LightTree tree(strewn(count));
+    const LightTree tree = tree_of(strewn(count));
     for (std::uint32_t k = 0; k < 40; ++k) {
       const LightReference at{random_point(9, k), k % 2 ? normalize(random_point(10, k)) : Vec3f{}};
       double total = 0.0;
@@ -53,7 +54,7 @@ TEST(LightTree, ProbabilitiesSumToOneAtMost) {
 
 TEST(LightTree, ChoicesFollowTheProbabilities) {
   constexpr std::uint32_t kLights = 200, kSamples = 100000;
-  const LightTree tree(strewn(kLights));
+  const LightTree tree = tree_of(strewn(kLights));
   for (std::uint32_t k = 0; k < 6; ++k) {
     const LightReference at{random_point(9, k), k % 2 ? normalize(random_point(10, k)) : Vec3f{}};
     std::vector<double> observed(kLights + 1), expected;
@@ -64,7 +65,7 @@ TEST(LightTree, ChoicesFollowTheProbabilities) {
     }
     expected.push_back(std::max(kSamples - total, 1e-9));
     for (std::uint32_t i = 0; i < kSamples; ++i) {
-      const auto choice = tree.choose(at, SampleStream(Sequence::independent, 4, k, i).get_1d_fine(0));
+      const auto choice = choose_one(tree, at, SampleStream(Sequence::independent, 4, k, i).get_1d_fine(0));
       if (choice.light != kNoLight) {
         EXPECT_NEAR(choice.probability, tree.probability(at, choice.light),
                     1e-5f * choice.probability + 1e-9f);
@@ -92,7 +93,7 @@ TEST(LightTree, PatchesSeenAlike) {
     std::vector<double> observed(kLights), expected;
     for (std::uint32_t i = 0; i < kLights; ++i) expected.push_back(kSamples * tree.probability(at, i));
     for (std::uint32_t i = 0; i < kSamples; ++i) {
-      const auto choice = tree.choose(at, SampleStream(Sequence::independent, 4, 0, i).get_1d_fine(0));
+      const auto choice = choose_one(tree, at, SampleStream(Sequence::independent, 4, 0, i).get_1d_fine(0));
       const std::uint32_t light = (choice.light - 5) / 3;
       ASSERT_LT(light, kLights);
       ASSERT_NEAR(choice.probability, tree.probability(at, light), 1e-5f * choice.probability);
@@ -104,7 +105,7 @@ TEST(LightTree, PatchesSeenAlike) {
 
 /// Sixteen at once are what each is alone, and lanes that are not wanted are left as they are.
 TEST(LightTree, LanesDoNotMix) {
-  const LightTree tree(strewn(3000));
+  const LightTree tree = tree_of(strewn(3000));
   for (std::uint32_t k = 0; k < 100; ++k) {
     BasicLightReference<Lanes> at{};
     DoubleLanes u{};
@@ -123,7 +124,7 @@ TEST(LightTree, LanesDoNotMix) {
       const auto lane_i = static_cast<int>(i);
       LightTree::Choice one{123456, -1.0f};
       if (std::ranges::count(wanted, i))
-        one = tree.choose({lane(at.position, lane_i), lane(at.normal, lane_i)}, u[i]);
+        one = choose_one(tree, {lane(at.position, lane_i), lane(at.normal, lane_i)}, u[i]);
       EXPECT_EQ(choices[i].light, one.light);
       EXPECT_EQ(choices[i].probability, one.probability);
     }
@@ -133,7 +134,7 @@ TEST(LightTree, LanesDoNotMix) {
 /// A light that shines on a surface is never left out: its share is at least a little.
 TEST(LightTree, LightsThatReachAreChosen) {
   const std::vector<LightBounds> lights = strewn(300);
-  const LightTree tree(lights);
+  const LightTree tree = tree_of(lights);
   for (std::uint32_t k = 0; k < 100; ++k) {
     const LightReference at{random_point(9, k), normalize(random_point(10, k))};
     for (std::uint32_t i = 0; i < 300; ++i) {
@@ -157,7 +158,7 @@ TEST(LightTree, SpotsReachWhatIsCloseToThem) {
     lights.push_back(
         {.low = p, .high = p, .axis = {0, -1, 0}, .cos_o = 1.0f, .cos_e = 0.707f, .intensity = 1.0f});
   }
-  const LightTree tree(lights);
+  const LightTree tree = tree_of(lights);
   for (std::uint32_t i = 0; i < 32; ++i)
     for (const float x : {-0.057f, 0.0f, 0.057f})
       for (const float z : {-0.05f, 0.0f, 0.05f})
@@ -171,7 +172,7 @@ TEST(LightTree, NearAndFacingLightsAreFavoured) {
     const Vec3f p{static_cast<float>(i), 0, 2};
     lights.push_back({.low = p, .high = p, .axis = {0, 0, i % 2 ? 1.0f : -1.0f}, .intensity = 1.0f});
   }
-  const LightTree tree(lights);
+  const LightTree tree = tree_of(lights);
   const LightReference at{{20.0f, 0, 0}, {0, 0, 1}};
   EXPECT_GT(tree.probability(at, 20), 0.2f);
   EXPECT_EQ(tree.probability(at, 21), 0.0f);
@@ -181,7 +182,7 @@ TEST(LightTree, NearAndFacingLightsAreFavoured) {
 TEST(LightTree, ManyLightsAtOnePlace) {
   std::vector<LightBounds> lights(1000,
                                   {.axis = {0, 0, 1}, .cos_o = -1.0f, .cos_e = -1.0f, .intensity = 0.5f});
-  const LightTree tree(lights);
+  const LightTree tree = tree_of(lights);
   EXPECT_NEAR(tree.probability({{1, 2, 3}, {}}, 77), 1e-3f, 1e-6f);
   EXPECT_NEAR(tree.probability({{0, 0, 0}, {}}, 77), 1e-3f, 1e-6f);  // even from inside
 }
@@ -196,13 +197,13 @@ TEST(LightTree, ExtremePowersAndSizes) {
         b.low = b.low * scale, b.high = b.high * scale;
         b.intensity *= power;
       }
-      const LightTree tree(lights);
+      const LightTree tree = tree_of(lights);
       for (std::uint32_t k = 0; k < 20; ++k) {
         double total = 0.0;
         for (std::uint32_t i = 0; i < 100; ++i) total += tree.probability({lights[k].low, {}}, i);
         constexpr int kChoices = 4096;
         for (int j = 0; j < kChoices; ++j) {
-          const auto choice = tree.choose({lights[k].low, {}}, (j + 0.5) / kChoices);
+          const auto choice = choose_one(tree, {lights[k].low, {}}, (j + 0.5) / kChoices);
           if (choice.light == kNoLight) {
             total += 1.0 / kChoices;
             continue;
@@ -223,9 +224,9 @@ TEST(LightTree, EndsOfTheUnitInterval) {
     lights.push_back(
         {.low = p, .high = p, .axis = {0, 0, i > 4 && i < 35 ? -1.0f : 1.0f}, .intensity = 1.0f});
   }
-  const LightTree tree(lights);
+  const LightTree tree = tree_of(lights);
   for (double u : {0.0, 0x1p-33, 0.5, 1.0 - 0x1p-33, 1.0 - 0x1p-53}) {
-    const auto choice = tree.choose({{20, 0, 0}, {0, 0, 1}}, u);
+    const auto choice = choose_one(tree, {{20, 0, 0}, {0, 0, 1}}, u);
     ASSERT_NE(choice.light, kNoLight) << u;
     EXPECT_TRUE(choice.light > 4 && choice.light < 35) << u;
     EXPECT_GT(choice.probability, 0.0f) << u;

@@ -5,15 +5,13 @@
 
 namespace photopic {
 
-/// Points of area lights: of one AreaLight (T float), or of 16 as AreaLightLanes.
-
 /// Squared distance of the middle, in extents, beyond which solid angle and area are sampled alike.
 inline constexpr float kFar2 = 1.0f;
 /// Squared height above the plane, likewise, below which the solid angle is lost in rounding; as it is where
 /// the height itself may be nothing but rounding.
 inline constexpr float kTouching2 = 1e-11f;
 
-/// Where a light is seen from.
+/// Where an area light is seen from: one AreaLight (T float), or AreaLightLanes.
 template <typename T>
 struct LightView {
   Vec3<T> from;
@@ -59,55 +57,5 @@ struct LightView {
     return from + to_point + light.normal * select(height < 0.0f, rounding, -rounding);
   }
 };
-
-/// LightSample's part that is geometry.
-template <typename T>
-struct AreaSample {
-  using Mask = decltype(T{} < T{});
-  Mask reached;  ///< else the rest means nothing
-  Vec3<T> direction, end;
-  T distance, pdf;
-  Mask in_first;  ///< the point is on the triangle of edge1, should the light have two
-};
-
-template <typename T, typename Light>
-AreaSample<T> sample_by_area(const Light& light, const LightView<T>& view, BasicSample2d<T> u) {
-  const BasicSample2d<T> folded = sample_triangle(u);
-  const T x = select(light.parallelogram, u.x, folded.x), y = select(light.parallelogram, u.y, folded.y);
-  const Vec3<T> to_point = view.to_vertex + light.edge1 * x + light.edge2 * y;
-  const T distance = length(to_point);
-  return {view.height != 0.0f,
-          to_point * (1.0f / distance),
-          view.end(light, to_point),
-          distance,
-          view.pdf_by_area(light, distance),
-          x > y};
-}
-
-template <typename T, typename Light>
-AreaSample<T> sample_by_solid_angle(const Light& light, const LightView<T>& view, BasicSample2d<T> u) {
-  const BasicSphericalPolygon<T> outline = view.outline(light);
-  const auto way = outline.sample(u);
-  const T cosine = dot(light.normal, way.direction), distance = view.height / cosine;
-  const T solid_angle = outline.solid_angle();
-  const typename AreaSample<T>::Mask reached = (cosine * view.height > 0.0f) & (solid_angle > 0.0f);
-  return {reached,  way.direction,      view.end(light, way.direction * distance),
-          distance, 1.0f / solid_angle, way.in_first};
-}
-
-/// A point of a light that shines to where it is seen from.
-template <typename T, typename Light>
-AreaSample<T> sample_area_light(const Light& light, Vec3<T> from, BasicSample2d<T> u) {
-  const LightView<T> view(light, from);
-  AreaSample<T> s = sample_by_area(light, view, u);
-  if (const auto looms = view.looms(light); any(looms)) {
-    const AreaSample<T> near = sample_by_solid_angle(light, view, u);
-    s = {select(looms, near.reached, s.reached), select(looms, near.direction, s.direction),
-         select(looms, near.end, s.end),         select(looms, near.distance, s.distance),
-         select(looms, near.pdf, s.pdf),         select(looms, near.in_first, s.in_first)};
-  }
-  s.reached = s.reached & ((view.height < 0.0f) | light.double_sided);
-  return s;
-}
 
 }  // namespace photopic
