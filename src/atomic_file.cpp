@@ -163,6 +163,10 @@ void write_file(const fs::path& file, std::string_view bytes) {
   if (const std::error_code error = stream ? write_all(*stream, bytes) : write_special()) fail(file, error);
 }
 
+bool is_standard_output(const fs::path& file) {
+  return standard_stream(file) == STDOUT_FILENO;
+}
+
 void check_writable_file(const fs::path& file) {
   std::error_code error;
   if (file == "-")

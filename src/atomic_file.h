@@ -15,6 +15,9 @@ std::filesystem::path follow_links(std::filesystem::path file);
 /// @throws InputError when that fails; what was written but could not be renamed stays, and is named
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// Whether a path leads to where standard output goes, as /dev/stdout does.
+bool is_standard_output(const std::filesystem::path& file);
+
 /// Checks before long work that `file` can be written: it is no folder and not protected, and a file can be
 /// made in its folder.
 /// @throws InputError

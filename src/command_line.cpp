@@ -8,6 +8,7 @@
 #include "command_line_options.h"
 #include "command_line_scene.h"
 #include "commands.h"
+#include "error_map.h"
 #include "render_layers.h"
 
 namespace photopic {
@@ -74,7 +75,8 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option(
           "--crop", a->crop,
           "Window to render and to write alone, of the same pixels as the whole picture's: from the top "
-          "left [pixels], X1 and Y1 just outside. An EXR says where it lies")
+          "left [pixels], X1 and Y1 just outside. An EXR says where it lies. --target-error judges the tiles "
+          "that its edge cuts by what is left of them: their numbers of samples may be others")
       ->check(not_empty())
       ->type_name("X0,Y0,X1,Y1");
   command
@@ -88,7 +90,7 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       .add_option(
           "--target-error", a->scene.target_error,
           "End each 16x16 pixels when their expected mean ΔE (CIEDE2000, 0 EV) is this or less; without "
-          "--spp however many samples that takes")
+          "--spp however many samples that takes. It is first judged at 32 samples a pixel")
       ->check(kDeltaE)
       ->type_name("ΔE");
   command.parse_complete_callback([a, &command] {
@@ -130,12 +132,13 @@ void bind_info(CLI::App& app, std::function<int()>& action, int& threads) {
       "Example: photopic info box.gltf --json box.json");
 }
 
-void bind_spectrum(CLI::App& app, std::function<int()>& action) {
+void bind_spectrum(CLI::App& app, std::function<int()>& action, int& threads) {
   auto a = std::make_shared<SpectrumArguments>();
   CLI::App& command = *add_command(app, "spectrum", "Describe a lamp: its colour, temperature and lines",
                                    action, run_spectrum, a);
   command.add_option("SPECTRUM", a->spectrum, "The lamp's spectrum, see below")->required()->type_name("");
   command.add_option("--plot", a->plot, "Picture of the spectrum")->check(not_empty())->type_name("FILE.svg");
+  bind_threads(command, threads);
   bind_json(command, a->json);
   bind_quiet(command, a->quiet);
   command.footer(
@@ -150,20 +153,40 @@ void bind_diff(CLI::App& app, std::function<int()>& action, int& threads) {
   CLI::App& command =
       *add_command(app, "diff", "Measure how far images are from a reference", action, run_diff, a);
   command.add_option("REFERENCE", a->reference, "The image to measure against")->required()->type_name("");
-  command.add_option("IMAGE", a->images, "Images of the same size")->required()->type_name("");
+  command
+      .add_option("IMAGE", a->images,
+                  "Images of the same size; of a crop and a whole picture the crop's window is compared")
+      ->required()
+      ->type_name("");
   command
       .add_option("--white", a->white,
                   "White of ΔE: D65, or a SPECTRUM, the lamp's for an observer adapted to it")
       ->capture_default_str()
       ->check(not_empty())
       ->type_name("SPECTRUM");
+  command
+      .add_option("--exposure", a->exposure,
+                  "Exposure of reference and images before ΔE [EV, a factor of 2 each]; MSE and relMSE are "
+                  "without it")
+      ->capture_default_str()
+      ->check(exposure_range())
+      ->type_name("EV");
+  command
+      .add_option(
+          "--map", a->map,
+          fmt::format("Picture of ΔE, of one IMAGE alone: .exr holds it in one channel, dE; .png shows "
+                      "it from black, 0, over violet, red and yellow to white, {} and more",
+                      kBrightestDeltaE))
+      ->check(not_empty())
+      ->type_name("FILE");
   bind_threads(command, threads);
   bind_json(command, a->json);
   bind_quiet(command, a->quiet, "No table; warnings and errors only");
   command.footer(std::string("\nΔE is CIEDE2000 on unclipped linear images, its white at Y = 1; 8-bit files "
                              "are decoded first.\n") +
                  kSpectrumHelp +
-                 "\n\nExample: photopic diff reference.exr uniform.exr optimized.exr --json errors.json");
+                 "\n\nExample: photopic diff reference.exr uniform.exr optimized.exr --json errors.json"
+                 "\nExample: photopic diff reference.exr optimized.exr --map error.png");
 }
 
 }  // namespace
@@ -173,7 +196,7 @@ void bind_commands(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_info(app, action, threads);
   bind_optimize(app, action, threads);
   bind_compare(app, action, threads);
-  bind_spectrum(app, action);
+  bind_spectrum(app, action, threads);
   bind_diff(app, action, threads);
 }
 

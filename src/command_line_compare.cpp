@@ -51,7 +51,7 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_seed(command, a->scene.seed);
   bind_threads(command, threads);
   bind_json(command, a->json);
-  bind_quiet(command, a->scene.quiet, "No progress; the table, warnings and errors only");
+  bind_quiet(command, a->scene.quiet, "No progress, no table; warnings and errors only");
   command.footer(
       std::string("\nΔE is CIEDE2000 on unclipped linear images. The n-th sampler renders with seed --seed + "
                   "n, so that\n"

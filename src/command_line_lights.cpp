@@ -43,8 +43,9 @@ void bind_lights(CLI::App& command, SceneArguments& a) {
       ->type_name("X");
   auto* environment = command.add_option(
       "--environment", a.environment,
-      "Picture of the surroundings in latitude and longitude, .exr or .hdr, its linear RGB in cd/m2 (of a "
-      ".png or .jpg from 0 to 1); its middle lies in the direction -z, its upper edge in +y");
+      "Picture of the surroundings in latitude and longitude, twice as wide as high, .exr or .hdr, its "
+      "linear RGB in cd/m2 (of a .png or .jpg from 0 to 1), or a grey Y; its middle lies in the direction "
+      "-z, its upper edge in +y");
   environment->check(not_empty())->type_name("FILE");
   command
       .add_option("--environment-rotation", a.environment_rotation,

@@ -70,8 +70,7 @@ void bind_optimize(CLI::App& app, std::function<int()>& action, int& threads) {
   bind_seed(command, a->seed);
   bind_threads(command, threads);
   bind_json(command, a->json);
-  bind_quiet(command, a->quiet,
-             "No progress, no summary; warnings, errors and the table over wavelengths only");
+  bind_quiet(command, a->quiet, "No progress, no tables; warnings and errors only");
   command.footer(std::string(kSpectrumHelp) +
                  "\n\nExample: photopic optimize cie:FL11 -o fl11.json --color-bar fl11.png"
                  "\nExample: photopic optimize cie:FL11 --compare-wavelengths"

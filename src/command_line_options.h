@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -27,6 +28,17 @@ inline CLI::Validator not_empty() {
   return {[](std::string& text) { return text.empty() ? std::string("it is empty") : std::string(); }, ""};
 }
 
+/// [EV]
+inline CLI::Validator exposure_range() {
+  const auto check = [](std::string& text) {
+    double value = 0;
+    const bool good =
+        CLI::detail::lexical_cast(text, value) && std::isfinite(value) && std::abs(value) <= 100;
+    return good ? std::string() : "Value " + text + " is not a number from -100 to 100";
+  };
+  return {check, "-100…100"};
+}
+
 inline void bind_seed(CLI::App& command, std::uint32_t& seed) {
   command.add_option("--seed", seed, "Same seed, same bits, whatever the number of threads")
       ->capture_default_str()
@@ -42,8 +54,12 @@ inline void bind_threads(CLI::App& command, int& threads) {
 }
 
 inline void bind_json(CLI::App& command, std::filesystem::path& json) {
-  command.add_option("--json", json, "Write the result for machines to read; standard output is /dev/stdout")
+  command
+      .add_option("--json", json,
+                  "Write the result for machines to read; - or /dev/stdout is standard output, where nothing "
+                  "else then goes")
       ->check(not_empty())
+      ->transform([](const std::string& name) { return name == "-" ? std::string("/dev/stdout") : name; }, "")
       ->type_name("FILE");
 }
 

@@ -1,23 +1,9 @@
 #include "command_line_scene.h"
 
-#include <cmath>
-
 #include "command_line_lights.h"
 #include "command_line_options.h"
 
 namespace photopic {
-namespace {
-
-const CLI::Validator kExposure(
-    [](std::string& text) {
-      double value = 0;
-      const bool number =
-          CLI::detail::lexical_cast(text, value) && std::isfinite(value) && std::abs(value) <= 100;
-      return number ? std::string() : "Value " + text + " is not a number from -100 to 100";
-    },
-    "-100…100");
-
-}  // namespace
 
 void bind_scene_file(CLI::App& command, SceneArguments& a) {
   command.add_option("SCENE", a.scene, "A glTF 2.0 file, .gltf or .glb")->required()->type_name("");
@@ -90,7 +76,7 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
       .add_option("--exposure", a.exposure,
                   "Exposure of PNG and JPEG files [EV, a factor of 2 each]; EXR stays as it is")
       ->capture_default_str()
-      ->check(kExposure)
+      ->check(exposure_range())
       ->type_name("EV");
   command.add_flag("--stats", a.stats, "Print counts, times and channel means with their standard errors");
 }

@@ -110,6 +110,8 @@ struct DiffArguments {
   std::filesystem::path reference;
   std::vector<std::filesystem::path> images;
   std::string white = "D65";  ///< of ΔE; or a SPECTRUM
+  double exposure = 0.0;      ///< of both before ΔE [EV]
+  std::filesystem::path map;  ///< a picture of the one image's ΔE, .exr or .png; empty: none
   std::filesystem::path json;
   bool quiet = false;
 };

@@ -54,7 +54,8 @@ void write_pair(const Setting& setting, const std::string& name, const std::func
                 const Run& run, OutputAttempts& attempt) {
   for (const char* ending : {".exr", ".png"}) {
     const std::filesystem::path file = setting.arguments.report / (name + ending);
-    attempt(file, [&] { write_render(file, develop(), setting.arguments.scene, setting.scene.scene, run); });
+    attempt(file,
+            [&] { write_render(file, develop(), setting.arguments.scene, setting.scene.scene, run, ""); });
   }
 }
 
@@ -99,6 +100,7 @@ void write_json(const CompareArguments& arguments, const Scene& scene, const Com
   nlohmann::ordered_json json = comparison_json(comparison);
   json["scene"] = scene_json(arguments.scene, scene);
   json["scene"]["resolution"] = {scene.camera.width, scene.camera.height};
+  json.update(settings_json(arguments.scene, ""));
   write_json_file(arguments.json, json);
 }
 
@@ -142,8 +144,8 @@ int run_compare(const CompareArguments& arguments) {
   if (!arguments.report.empty()) write_report(setting, entries, comparison, attempt);
   if (!arguments.json.empty())
     attempt(arguments.json, [&] { write_json(arguments, scene.scene, comparison); });
-  print_out(format_comparison(comparison));
-  if (arguments.scene.stats)
+  if (prints_report(arguments.scene.quiet, arguments.json)) print_out(format_comparison(comparison));
+  if (arguments.scene.stats && prints_report(false, arguments.json))
     for (const Run& run : comparison.runs)
       print_out(fmt::format("{} means: {}\n", run.sampler, format_means(run)));
   if (!comparison.interrupted) return attempt.exit_code(kExitDone);

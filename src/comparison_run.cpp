@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "error.h"
+#include "image_pair.h"
 #include "scene_setup.h"
 
 namespace photopic {
@@ -24,13 +25,20 @@ Reference read_reference(const Setting& setting) {
   reference.file = reference.description = setting.arguments.reference.string();
   reference.image = read_image(setting.arguments.reference);
   const Camera& camera = setting.scene.scene.camera;
-  check_same_size(Image(camera.width, camera.height), reference.image, reference.file);
+  const ImageShape render{.width = camera.width,
+                          .height = camera.height,
+                          .full_width = camera.width,
+                          .full_height = camera.height};
+  check_same_pixels(render, reference.image, reference.file);
   return reference;
 }
 
-void warn_of_reference(const std::filesystem::path& file, const std::vector<Entry>& entries) {
+void warn_of_reference(const Setting& setting, const std::vector<Entry>& entries) {
+  const std::filesystem::path& file = setting.arguments.reference;
   warn_of_8_bit_reference(file);
   const Metadata reference = read_metadata(file);
+  const SceneArguments& options = setting.arguments.scene;
+  warn_of_other_light(reference, options.scene.string(), settings_metadata(options, setting.scene.scene, ""));
   for (const Entry& entry : entries)
     warn_of_shared_noise(reference, entry.name,
                          {{"sampler", entry.name}, {"seed", std::to_string(entry.seed)}});
@@ -149,7 +157,7 @@ Comparison compare(const Setting& setting, std::vector<Entry>& entries) {
   auto reference = setting.arguments.reference.empty()
                        ? render_reference(setting, reference_sampler(setting, entries))
                        : read_reference(setting);
-  if (!setting.arguments.reference.empty()) warn_of_reference(setting.arguments.reference, entries);
+  if (!setting.arguments.reference.empty()) warn_of_reference(setting, entries);
   comparison.interrupted = !reference || !render_rounds(setting, entries);
   if (!reference) return comparison;
   comparison.reference = std::move(*reference);

@@ -66,12 +66,13 @@ int run_info(const InfoArguments& arguments) {
                                     report_geometry(scene),           report_cameras(scene, contents),
                                     report_materials(scene),          report_textures(scene),
                                     report_lamps(scene, contents),    report_warnings(scene)};
+  const bool report = prints_report(arguments.scene.quiet, arguments.json);
   nlohmann::ordered_json json = {{"version", PHOTOPIC_VERSION}};
   for (const ReportSection& section : sections) {
     json[section.key] = section.json;
-    if (!section.json.empty() && !section.rows.empty() && !arguments.scene.quiet) print_section(section);
+    if (!section.json.empty() && !section.rows.empty() && report) print_section(section);
   }
-  if (arguments.scene.quiet) print_warnings(scene);
+  if (!report) print_warnings(scene);
   if (!arguments.json.empty()) write_json_file(arguments.json, json);
   return kExitDone;
 }

@@ -1,6 +1,8 @@
 #include "messages.h"
 
 #include <fmt/format.h>
+#include <sys/poll.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -18,6 +20,12 @@ void print_line(const char* kind, const std::string& text) {
   std::fputs(fmt::format("{}: {}\n", kind, without_controls(text)).c_str(), stderr);
 }
 
+/// Whether standard output is a pipe whose reader has ended, as `| head -1` does.
+bool reader_has_ended() {
+  pollfd out{.fd = STDOUT_FILENO, .events = POLLOUT, .revents = 0};
+  return ::poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
+}
+
 }  // namespace
 
 void print_error(const std::string& text) {
@@ -26,6 +34,10 @@ void print_error(const std::string& text) {
 
 void print_warning(const std::string& text) {
   print_line("warning", text);
+}
+
+void print_note(const std::string& text) {
+  print_line("note", text);
 }
 
 void print_out(std::string_view text) {
@@ -43,6 +55,7 @@ bool check_stdout() {
   errno = 0;
   const bool good = (std::cout.flush().good() & (std::fflush(stdout) == 0)) && std::ferror(stdout) == 0;
   if (good) return true;
+  if (reader_has_ended()) return false;
   const std::string why = errno != 0 ? ": " + std::generic_category().message(errno) : "";
   print_error("standard output cannot be written to" + why + "; check where it leads");
   return false;

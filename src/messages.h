@@ -14,10 +14,14 @@ void print_error(const std::string& text);
 /// One line on stderr, `warning: …`.
 void print_warning(const std::string& text);
 
+/// One line on stderr, `note: …`: nothing is wrong.
+void print_note(const std::string& text);
+
 /// Lines on stdout.
 void print_out(std::string_view text);
 
-/// Whether stdout took all that was printed: a full disk may be behind it. What is missing is told on stderr.
+/// Whether stdout took all that was printed: a full disk may be behind it. What is missing is told on stderr,
+/// but for a reader that had enough.
 bool check_stdout();
 
 }  // namespace photopic

@@ -147,7 +147,8 @@ int run_comparison(const OptimizeArguments& arguments, const std::vector<Tabulat
       {"wavelengths", wavelengths_json(rows)}};
   OutputAttempts attempt;
   if (!arguments.json.empty()) attempt(arguments.json, [&] { write_json_file(arguments.json, json); });
-  print_out(fmt::format("{}{}\n", wavelength_table(rows), without_controls(names)));
+  if (prints_report(arguments.quiet, arguments.json))
+    print_out(fmt::format("{}{}\n", wavelength_table(rows), without_controls(names)));
   return attempt.exit_code(kExitDone);
 }
 
@@ -173,7 +174,7 @@ int run_optimize(const OptimizeArguments& arguments) {
   if (arguments.json.empty() && arguments.quiet) return attempt.exit_code(kExitDone);
   const std::vector<SamplerRow> samplers = measure_samplers(made.distribution, light, options.white);
   if (!arguments.json.empty()) attempt(arguments.json, [&] { write_json(arguments, made, samplers); });
-  if (!arguments.quiet) print_result(made.distribution, samplers, made.seconds);
+  if (prints_report(arguments.quiet, arguments.json)) print_result(made.distribution, samplers, made.seconds);
   return attempt.exit_code(kExitDone);
 }
 

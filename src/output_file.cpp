@@ -59,6 +59,10 @@ void check_no_overwriting(const std::vector<fs::path>& outputs, const std::vecto
   }
 }
 
+bool prints_report(bool quiet, const fs::path& json) {
+  return !quiet && (json.empty() || !is_standard_output(json));
+}
+
 void write_json_file(const fs::path& file, const nlohmann::ordered_json& json) {
   write_file(file, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }

@@ -27,6 +27,9 @@ void check_writable_plot(const std::filesystem::path& file);
 void check_no_overwriting(const std::vector<std::filesystem::path>& outputs,
                           const std::vector<std::filesystem::path>& inputs);
 
+/// Whether a report is to be printed beside the JSON: not into it.
+bool prints_report(bool quiet, const std::filesystem::path& json);
+
 /// Writes the file whole or not at all; bytes that are no UTF-8, of file names, become U+FFFD.
 /// @throws InputError when that fails
 void write_json_file(const std::filesystem::path& file, const nlohmann::ordered_json& json);

@@ -20,6 +20,9 @@
 namespace photopic {
 namespace {
 
+/// Samples a pixel at which render() first looks at the error that --target-error limits.
+constexpr int kFirstJudged = 32;
+
 /// Wall-clock seconds of everything but the render itself.
 struct PhaseTimes {
   double load = 0, prepare = 0, optimize = 0, layers = 0, write = 0;
@@ -70,6 +73,7 @@ void write_json(const RenderArguments& arguments, const Scene& scene, const Run&
                         {"shapes", scene.geometry.shapes.size()},
                         {"materials", scene.materials.size()},
                         {"spectra", scene.emission_names}});
+  json.update(settings_json(arguments.scene, arguments.white_balance));
   json["aov"] = arguments.aovs;
   json["spectral_bins"] = arguments.spectral_bins;
   json["rays"] = run.stats.rays;
@@ -122,7 +126,7 @@ void write_images(const RenderArguments& arguments, const Film& film, const Chro
     attempt(output, [&] {
       Image image = xyz ? film.to_xyz() : film.to_linear_srgb(adaptation);
       if (window) place_in(*window, scene.camera, image);
-      write_render(output, image, arguments.scene, scene, run, layers);
+      write_render(output, image, arguments.scene, scene, run, arguments.white_balance, layers);
     });
   }
 }
@@ -186,9 +190,13 @@ int run_render(const RenderArguments& arguments) {
 
   if (!arguments.json.empty())
     attempt(arguments.json, [&] { write_json(arguments, scene.scene, run, times); });
-  if (options.stats)
+  if (options.target_error > 0 && run.mean_spp < kFirstJudged && !run.stats.stopped)
+    print_warning(fmt::format("--target-error was not judged: that takes {} samples a pixel, not {:.4g}",
+                              kFirstJudged, run.mean_spp));
+  const bool report = prints_report(options.quiet, arguments.json);
+  if (options.stats && prints_report(false, arguments.json))
     print_out(format_stats(scene.scene, run, times));
-  else if (run.stats.expected_delta_e && !options.quiet)
+  else if (run.stats.expected_delta_e && report)
     print_out(fmt::format("a mean ΔE of {:.3g} is expected, after {:.4g} samples a pixel\n",
                           *run.stats.expected_delta_e, run.mean_spp));
   if (!result.stats.stopped) return attempt.exit_code(kExitDone);

@@ -6,9 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "error.h"
-#include "messages.h"
-
 namespace photopic {
 namespace {
 
@@ -115,34 +112,6 @@ std::optional<Agreement> channel_agreement(const std::vector<Run>& runs) {
     }
   }
   return largest;
-}
-
-void check_same_size(const Image& reference, const Image& image, const std::string& name) {
-  if (image.width == reference.width && image.height == reference.height) return;
-  throw InputError(
-      name,
-      fmt::format("is {}x{} pixels, not {}x{}", image.width, image.height, reference.width, reference.height),
-      "give images of one size");
-}
-
-void warn_of_shared_noise(const Metadata& reference, const std::string& name, const Metadata& image) {
-  const auto shares = [&](const char* key) {
-    const auto a = reference.find(key), b = image.find(key);
-    return a != reference.end() && b != image.end() && a->second == b->second;
-  };
-  if (shares("seed") && shares("sampler"))
-    print_warning(fmt::format(
-        "{}: has the reference's sampler and seed ({}), and with them its noise: its error comes out too "
-        "small; render one with another --seed",
-        name, reference.at("seed")));
-}
-
-void warn_of_8_bit_reference(const std::filesystem::path& file) {
-  if (is_image(file) && !is_float_image(file))
-    print_warning(
-        file.string() +
-        ": the reference's colours are clipped to [0, 1] and rounded to 8 bits, which counts as error; "
-        "an .exr holds them whole");
 }
 
 double median(std::vector<double> values) {

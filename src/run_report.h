@@ -61,16 +61,6 @@ struct Agreement {
 /// Nothing for fewer than two runs, or when a variance is not known.
 std::optional<Agreement> channel_agreement(const std::vector<Run>& runs);
 
-/// @throws InputError when `image` (called `name`) has another size than the reference
-void check_same_size(const Image& reference, const Image& image, const std::string& name);
-
-/// Warns of an image whose seed and sampler are those that the reference's metadata tell of: errors would
-/// come out too small. Metadata that do not tell are taken for others'.
-void warn_of_shared_noise(const Metadata& reference, const std::string& name, const Metadata& image);
-
-/// Warns of a reference whose ending is that of an 8-bit image: measures are of linear, unclipped colours.
-void warn_of_8_bit_reference(const std::filesystem::path& file);
-
 /// @param values at least one
 double median(std::vector<double> values);
 

@@ -136,20 +136,51 @@ nlohmann::ordered_json scene_json(const SceneArguments& arguments, const Scene& 
           {"camera", text(camera_handle(arguments, scene))}};
 }
 
+nlohmann::ordered_json settings_json(const SceneArguments& arguments, const std::string& white_balance) {
+  nlohmann::ordered_json json = {{"observer", fmt::format("CIE {}", arguments.observer)},
+                                 {"white_balance", white_balance.empty() ? "D65" : white_balance},
+                                 {"sequence", arguments.sequence},
+                                 {"max_depth", arguments.max_depth},
+                                 {"punctual_scale", arguments.punctual_scale},
+                                 {"solid_glass", arguments.solid_glass},
+                                 {"environment", nullptr},
+                                 {"environment_strength", nullptr},
+                                 {"environment_rotation", nullptr}};
+  if (arguments.environment.empty()) return json;
+  json["environment"] = arguments.environment.string();
+  json["environment_strength"] = arguments.environment_strength;
+  json["environment_rotation"] = arguments.environment_rotation;
+  return json;
+}
+
+Metadata settings_metadata(const SceneArguments& arguments, const Scene& scene,
+                           const std::string& white_balance) {
+  Metadata metadata = {{"spectra", fmt::format("{}", fmt::join(scene.emission_names, ", "))}};
+  const nlohmann::ordered_json settings = settings_json(arguments, white_balance);
+  for (const auto& [key, value] : settings.items())
+    if (!value.is_null()) metadata[key] = value.is_string() ? value.get<std::string>() : value.dump();
+  return metadata;
+}
+
 void write_render(const std::filesystem::path& file, const Image& image, const SceneArguments& arguments,
-                  const Scene& scene, const Run& run, const std::vector<ImageLayer>& layers) {
-  Metadata metadata = {{"scene", arguments.scene.string()},
-                       {"scene_of_file", scene.scene_name},
-                       {"camera", camera_handle(arguments, scene)},
-                       {"sampler", run.sampler},
-                       {"spp", fmt::format("{:.6g}", run.mean_spp)},
-                       {"wavelengths", std::to_string(run.wavelengths)},
-                       {"seed", std::to_string(run.seed)},
-                       {"observer", fmt::format("CIE {}", arguments.observer)},
-                       {"color", image.space == ColorSpace::xyz ? "CIE XYZ" : "linear sRGB"},
-                       {"spectra", fmt::format("{}", fmt::join(scene.emission_names, ", "))},
-                       {"version", "photopic " PHOTOPIC_VERSION}};
-  if (is_float_image(file)) metadata["render_seconds"] = fmt::format("{:.3f}", run.render_seconds);
+                  const Scene& scene, const Run& run, const std::string& white_balance,
+                  const std::vector<ImageLayer>& layers) {
+  const bool linear = is_float_image(file), xyz = image.space == ColorSpace::xyz;
+  Metadata metadata = settings_metadata(arguments, scene, white_balance);
+  metadata.merge(Metadata{{"scene", arguments.scene.string()},
+                          {"scene_of_file", scene.scene_name},
+                          {"camera", camera_handle(arguments, scene)},
+                          {"sampler", run.sampler},
+                          {"spp", fmt::format("{:.6g}", run.mean_spp)},
+                          {"wavelengths", std::to_string(run.wavelengths)},
+                          {"seed", std::to_string(run.seed)},
+                          {"color", !linear ? "sRGB"
+                                    : xyz   ? "CIE XYZ"
+                                            : "linear sRGB"},
+                          {"version", "photopic " PHOTOPIC_VERSION}});
+  if (linear) metadata["render_seconds"] = fmt::format("{:.3f}", run.render_seconds);
+  if (!linear) metadata["exposure"] = fmt::format("{:g} EV", arguments.exposure);
+  if (xyz && is_exr(file)) metadata.erase("white_balance");
   std::erase_if(metadata, [](const auto& entry) { return entry.second.empty(); });
   write_image(file, image, metadata, arguments.exposure, layers);
 }

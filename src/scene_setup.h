@@ -46,10 +46,20 @@ std::string camera_handle(const SceneArguments& arguments, const Scene& scene);
 /// none.
 nlohmann::ordered_json scene_json(const SceneArguments& arguments, const Scene& scene);
 
+/// What decides a picture beside its scene and samples, under the names that files know them by: texts and
+/// numbers, null where there is none. @param white_balance as --white-balance has it
+nlohmann::ordered_json settings_json(const SceneArguments& arguments, const std::string& white_balance);
+
+/// The same as metadata, and the lamps' spectra.
+Metadata settings_metadata(const SceneArguments& arguments, const Scene& scene,
+                           const std::string& white_balance);
+
 /// Writes a render; EXR and PNG say how it was made. The render's time is in the EXR alone: other files are
 /// the same bits for the same seed.
+/// @param white_balance as --white-balance has it; of XYZ there is none
 /// @throws InputError
 void write_render(const std::filesystem::path& file, const Image& image, const SceneArguments& arguments,
-                  const Scene& scene, const Run& run, const std::vector<ImageLayer>& layers = {});
+                  const Scene& scene, const Run& run, const std::string& white_balance,
+                  const std::vector<ImageLayer>& layers = {});
 
 }  // namespace photopic

@@ -125,7 +125,7 @@ int run_spectrum(const SpectrumArguments& arguments) {
   if (!arguments.json.empty())
     attempt(arguments.json,
             [&] { write_json_file(arguments.json, lamp_json(name, given, lamp, digest(emission))); });
-  if (!arguments.quiet) print_out(format_lamp(name, given, lamp));
+  if (prints_report(arguments.quiet, arguments.json)) print_out(format_lamp(name, given, lamp));
   return attempt.exit_code(kExitDone);
 }
 

@@ -8,14 +8,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <limits>
 #include <new>
-#include <string_view>
 
 #include "atomic_file.h"
+#include "core/image_channels.h"
+#include "core/memory_file.h"
 #include "core/quiet_stderr.h"
 #include "error.h"
 #include "file_ending.h"
@@ -68,7 +66,7 @@ constexpr Chromaticities kRec709 = {0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.
 constexpr Chromaticities kXyz = {1, 0, 0, 1, 0, 0, 1.0f / 3.0f, 1.0f / 3.0f};
 
 /// OpenEXR's data window in its display window.
-void set_windows(const Image& image, OIIO::ImageSpec& spec) {
+void set_windows(const ImageShape& image, OIIO::ImageSpec& spec) {
   if (image.full_width == 0) return;
   spec.x = image.left, spec.y = image.top;
   spec.full_x = spec.full_y = 0;
@@ -134,70 +132,13 @@ bool write_rows(OIIO::ImageOutput& output, const Image& image, const std::vector
   return true;
 }
 
-/// A file in memory, as a FILE: libjpeg writes to nothing else, and ends the process when that fails. So what
-/// finds no memory is swallowed, and told by bytes().
-class MemoryFile {
- public:
-  MemoryFile() : stream_(::fopencookie(this, "w", {nullptr, write, seek, nullptr})) {
-    if (!stream_) throw std::bad_alloc();
-  }
-  ~MemoryFile() {
-    std::fclose(stream_);
-    std::free(data_);
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-
-  FILE* stream() const { return stream_; }
-  /// What was written, until more is.
-  std::string_view bytes() const {
-    std::fflush(stream_);
-    if (incomplete_) throw std::bad_alloc();
-    return {data_, size_};
-  }
-
- private:
-  static ssize_t write(void* cookie, const char* bytes, std::size_t count) {
-    MemoryFile& file = *static_cast<MemoryFile*>(cookie);
-    if (!file.incomplete_ && file.reserve(file.at_ + count)) {
-      if (file.at_ > file.size_) std::memset(file.data_ + file.size_, 0, file.at_ - file.size_);
-      std::memcpy(file.data_ + file.at_, bytes, count);
-      file.size_ = std::max(file.size_, file.at_ + count);
-    }
-    file.at_ += count;
-    return static_cast<ssize_t>(count);
-  }
-
-  static int seek(void* cookie, off64_t* offset, int origin) {
-    MemoryFile& file = *static_cast<MemoryFile*>(cookie);
-    const std::size_t from = origin == SEEK_CUR ? file.at_ : origin == SEEK_END ? file.size_ : 0;
-    *offset += static_cast<off64_t>(from);
-    if (*offset < 0) return -1;
-    file.at_ = static_cast<std::size_t>(*offset);
-    return 0;
-  }
-
-  bool reserve(std::size_t size) {
-    if (size <= capacity_) return true;
-    const std::size_t capacity = std::max({size, 2 * capacity_, std::size_t{1} << 16});
-    char* data = static_cast<char*>(std::realloc(data_, capacity));  // moves pages, where a vector copies
-    incomplete_ = data == nullptr;
-    if (incomplete_) return false;
-    data_ = data, capacity_ = capacity;
-    return true;
-  }
-
-  char* data_ = nullptr;
-  std::size_t at_ = 0, size_ = 0, capacity_ = 0;
-  bool incomplete_ = false;
-  FILE* stream_;
-};
+using WritePixels = std::function<bool(OIIO::ImageOutput& output)>;
 
 /// The file's bytes. They go to memory, since of the libraries that would write them libpng does not tell of
 /// a full disk, and libjpeg ends the process.
 /// @param file its ending is the format, its name is for messages
-void encode_file(const std::filesystem::path& file, const Image& image, const Metadata& metadata,
-                 double exposure_ev, const std::vector<ImageLayer>& layers, MemoryFile& memory) {
+void encode_file(const std::filesystem::path& file, const OIIO::ImageSpec& spec,
+                 const WritePixels& write_pixels, MemoryFile& memory) {
   const auto fail = [&](const std::string& why) {
     if (why.find("std::bad_alloc") != why.npos) throw std::bad_alloc();  // OpenEXR's, become a text
     throw InputError(file.string(), "cannot be written: " + reason(why),
@@ -208,23 +149,69 @@ void encode_file(const std::filesystem::path& file, const Image& image, const Me
   if (!output) fail(OIIO::geterror());
   OIIO::Filesystem::IOFile stream(memory.stream(), OIIO::Filesystem::IOProxy::Write);
   if (!output->set_ioproxy(&stream)) fail("it cannot be made in memory");
-  const bool linear = encoding_of(file) == Encoding::linear;
-  OIIO::ImageSpec spec = make_spec(image, linear, metadata);
-  if (is_exr(file)) set_windows(image, spec);
-  add_layers(spec, layers);
   if (!output->open(file.string(), spec)) fail(output->geterror());
-  const bool written = !layers.empty() ? write_rows(*output, image, layers)
-                       : linear
-                           ? output->write_image(OIIO::TypeDesc::FLOAT, image.pixels.data())
-                           : output->write_image(OIIO::TypeDesc::UINT8, encode(image, exposure_ev).data());
-  if (!written || !output->close()) fail(output->geterror());
+  if (!write_pixels(*output) || !output->close()) fail(output->geterror());
 }
 
-/// Where three channels of these names stand side by side; −1: nowhere.
-int find_channels(const OIIO::ImageSpec& spec, const std::array<std::string, 3>& names) {
-  const auto& channels = spec.channelnames;
-  const auto found = std::search(channels.begin(), channels.end(), names.begin(), names.end());
-  return found == channels.end() ? -1 : static_cast<int>(found - channels.begin());
+void write_encoded(const std::filesystem::path& file, const OIIO::ImageSpec& spec,
+                   const WritePixels& write_pixels) {
+  try {
+    MemoryFile memory;
+    encode_file(file, spec, write_pixels, memory);
+    write_file(file, memory.bytes());
+  } catch (const std::bad_alloc&) {
+    throw InputError(file.string(), "cannot be written: out of memory, where the file is put together",
+                     "choose a smaller resolution or fewer layers");
+  }
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem,
+                         const std::string& remedy) {
+  throw InputError(file.string(), problem, remedy);
+}
+
+std::unique_ptr<OIIO::ImageInput> open_image(const std::filesystem::path& file) {
+  check_readable_file(file);
+  OIIO::ImageSpec colors_as_stored;  // else what is not associated would be multiplied while still encoded
+  colors_as_stored["oiio:UnassociatedAlpha"] = 1;
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &colors_as_stored);
+  const std::string why = OIIO::geterror();
+  if (!input)
+    refuse(file, "this is no image that can be read" + (is_image(file) ? ": " + reason(why) : ""),
+           "give an .exr, .hdr, .png or .jpg");
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 ||
+      std::int64_t{spec.width} * spec.height > kMaxPixels) {
+    refuse(file, fmt::format("{} x {} x {} pixels cannot be read", spec.width, spec.height, spec.depth),
+           "give a smaller picture");
+  }
+  return input;
+}
+
+/// OpenEXR's data window in its display window; other formats do not tell of windows, or tell nothing by
+/// them.
+ImageShape shape_of(const OIIO::ImageInput& input) {
+  const OIIO::ImageSpec& spec = input.spec();
+  if (std::string_view(input.format_name()) != "openexr") return {spec.width, spec.height};
+  return {spec.width,           spec.height,     spec.x - spec.full_x,
+          spec.y - spec.full_y, spec.full_width, spec.full_height};
+}
+
+ColorChannels color_channels(const std::filesystem::path& file, const OIIO::ImageSpec& spec) {
+  if (const auto channels = find_color_channels(spec.channelnames)) return *channels;
+  refuse(file, "its channels are not those of one picture: " + list_channels(spec.channelnames),
+         "give R, G, B or X, Y, Z, of one layer, or a grey Y");
+}
+
+/// At once where they stand side by side.
+bool read_channels(OIIO::ImageInput& input, const ColorChannels& channels, Image& image) {
+  const auto read = [&](std::size_t first, int count, float* values) {
+    const int begin = static_cast<int>(first);
+    return input.read_image(0, 0, begin, begin + count, OIIO::TypeDesc::FLOAT, values, 3 * sizeof(float));
+  };
+  const auto [a, b, c] = channels.index;
+  if (b == a + 1 && c == b + 1) return read(a, 3, image.pixels.data());
+  return read(a, 1, &image.pixels[0]) && read(b, 1, &image.pixels[1]) && read(c, 1, &image.pixels[2]);
 }
 
 }  // namespace
@@ -264,16 +251,29 @@ void write_image(const std::filesystem::path& file, const Image& image, const Me
                  double exposure_ev, const std::vector<ImageLayer>& layers) {
   check_ending(file);
   check_image_size(file, image.width, image.height);
-  const bool exr = is_exr(file), convert = image.space == ColorSpace::xyz && !exr;
-  try {
-    MemoryFile memory;
-    encode_file(file, convert ? to_linear_srgb(image) : image, metadata, exposure_ev,
-                exr ? layers : std::vector<ImageLayer>(), memory);
-    write_file(file, memory.bytes());
-  } catch (const std::bad_alloc&) {
-    throw InputError(file.string(), "cannot be written: out of memory, where the file is put together",
-                     "choose a smaller resolution or fewer layers");
-  }
+  const bool exr = is_exr(file), linear = is_float_image(file);
+  if (image.space == ColorSpace::xyz && !exr)
+    return write_image(file, to_linear_srgb(image), metadata, exposure_ev);
+  OIIO::ImageSpec spec = make_spec(image, linear, metadata);
+  if (exr) set_windows(image, spec);
+  if (exr) add_layers(spec, layers);
+  write_encoded(file, spec, [&](OIIO::ImageOutput& output) {
+    if (exr && !layers.empty()) return write_rows(output, image, layers);
+    if (linear) return output.write_image(OIIO::TypeDesc::FLOAT, image.pixels.data());
+    return output.write_image(OIIO::TypeDesc::UINT8, encode(image, exposure_ev).data());
+  });
+}
+
+void write_channel(const std::filesystem::path& file, const std::string& channel, const ImageShape& shape,
+                   std::span<const float> values, const Metadata& metadata) {
+  OIIO::ImageSpec spec(shape.width, shape.height, 1, OIIO::TypeDesc::FLOAT);
+  spec.channelnames = {channel};
+  spec.attribute("compression", "zip");
+  for (const auto& [key, value] : metadata) spec.attribute(key, value);
+  set_windows(shape, spec);
+  write_encoded(file, spec, [&](OIIO::ImageOutput& output) {
+    return output.write_image(OIIO::TypeDesc::FLOAT, values.data());
+  });
 }
 
 Metadata read_metadata(const std::filesystem::path& file) {
@@ -288,40 +288,23 @@ Metadata read_metadata(const std::filesystem::path& file) {
 }
 
 Image read_image(const std::filesystem::path& file) {
-  const auto fail = [&](const std::string& problem, const std::string& remedy) {
-    throw InputError(file.string(), problem, remedy);
-  };
-  check_readable_file(file);
   const QuietStderr quiet;
-  OIIO::ImageSpec colors_as_stored;  // else what is not associated would be multiplied while still encoded
-  colors_as_stored["oiio:UnassociatedAlpha"] = 1;
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(file.string(), &colors_as_stored);
-  const std::string why = OIIO::geterror();
-  if (!input)
-    fail("this is no image that can be read" + (is_image(file) ? ": " + reason(why) : ""),
-         "give an .exr, .hdr, .png or .jpg");
-
-  const OIIO::ImageSpec& spec = input->spec();
-  if (spec.width < 1 || spec.height < 1 || spec.depth > 1 ||
-      std::int64_t{spec.width} * spec.height > kMaxPixels) {
-    fail(fmt::format("{} x {} x {} pixels cannot be read", spec.width, spec.height, spec.depth),
-         "give a smaller picture");
-  }
-  if (spec.nchannels < 3)
-    fail(
-        fmt::format("it has {} channel{} where 3 are needed", spec.nchannels, spec.nchannels == 1 ? "" : "s"),
-        "give a picture in colour");
-  const bool encoded = !spec.format.is_floating_point();
-  Image image(spec.width, spec.height);
-  const int rgb = find_channels(spec, {"R", "G", "B"}), xyz = find_channels(spec, {"X", "Y", "Z"});
-  const int first = std::max({rgb, rgb < 0 ? xyz : -1, 0});
-  if (!input->read_image(0, 0, first, first + 3, OIIO::TypeDesc::FLOAT, image.pixels.data())) {
-    fail("it is damaged: " + reason(input->geterror()), "copy or write it again");
-  }
-  if (encoded) {
+  const std::unique_ptr<OIIO::ImageInput> input = open_image(file);
+  const ColorChannels channels = color_channels(file, input->spec());
+  Image image(input->spec().width, input->spec().height);
+  if (!read_channels(*input, channels, image))
+    refuse(file, "it is damaged: " + reason(input->geterror()), "copy or write it again");
+  if (!input->spec().format.is_floating_point()) {
     for (float& value : image.pixels) value = static_cast<float>(srgb_decode(value));
   }
-  return rgb < 0 && xyz >= 0 ? to_linear_srgb(image) : image;
+  if (channels.space == ColorSpace::xyz) image = to_linear_srgb(image);
+  static_cast<ImageShape&>(image) = shape_of(*input);
+  return image;
+}
+
+ImageShape read_image_shape(const std::filesystem::path& file) {
+  const QuietStderr quiet;
+  return shape_of(*open_image(file));
 }
 
 }  // namespace photopic

@@ -11,20 +11,23 @@ namespace photopic {
 
 enum class ColorSpace { linear_srgb, xyz };
 
-/// Three interleaved channels, row by row from the top, unclipped.
-struct Image {
+/// An image's size, and what it is a window of.
+struct ImageShape {
   int width = 0, height = 0;
-  int left = 0, top = 0;                ///< where it lies in a larger one that it is a window of
-  int full_width = 0, full_height = 0;  ///< that one's size; 0: it is none
+  int left = 0, top = 0;                ///< where it lies in the whole picture
+  int full_width = 0, full_height = 0;  ///< the whole picture's size; 0: not told, as of all but EXR
+
+  bool is_whole() const { return full_width == 0 || (width == full_width && height == full_height); }
+};
+
+/// Three interleaved channels, row by row from the top, unclipped.
+struct Image : ImageShape {
   ColorSpace space = ColorSpace::linear_srgb;
   std::vector<float> pixels;  ///< 3·width·height
 
   Image() = default;
   Image(int w, int h, ColorSpace s = ColorSpace::linear_srgb)
-      : width(w),
-        height(h),
-        space(s),
-        pixels(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+      : ImageShape{w, h}, space(s), pixels(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
   float* at(int x, int y) {
     return &pixels[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                         static_cast<std::size_t>(x))];
@@ -60,14 +63,24 @@ void limit_image_threads(int threads);
 void write_image(const std::filesystem::path& file, const Image& image, const Metadata& metadata = {},
                  double exposure_ev = 0.0, const std::vector<ImageLayer>& layers = {});
 
+/// Writes one channel of floats, row by row from the top, to an .exr, as write_image does.
+/// @throws InputError when the file cannot be written
+void write_channel(const std::filesystem::path& file, const std::string& channel, const ImageShape& shape,
+                   std::span<const float> values, const Metadata& metadata);
+
 /// What write_image was given as metadata, other texts with it; nothing where there is no such image.
 Metadata read_metadata(const std::filesystem::path& file);
 
-/// Reads an image as linear sRGB: channels R, G, B, or X, Y, Z, or else the first three; 8-bit files are
-/// sRGB-decoded. Alpha is left out: colours are those that the file holds.
-/// @throws InputError when there is no such file or it may not be read, it is no image, or it is absurdly
-/// large
+/// Reads an image as linear sRGB, from the channels that find_color_channels finds; 8-bit files are
+/// sRGB-decoded. Alpha is left out: colours are those that the file holds. Of an EXR the image is the data
+/// window, and knows where in the display window it lies.
+/// @throws InputError when there is no such file or it may not be read, it is no image, it has other
+/// channels, or it is absurdly large
 Image read_image(const std::filesystem::path& file);
+
+/// The shape that read_image would give it; pixels are not read.
+/// @throws InputError as read_image does
+ImageShape read_image_shape(const std::filesystem::path& file);
 
 /// Checks before a long render that `file` can be written: its folder exists and its ending is known.
 /// @throws InputError

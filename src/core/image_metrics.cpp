@@ -25,7 +25,15 @@ Lab pixel_lab(const float* pixel, Xyz white) {
   return xyz_to_lab(linear_srgb_to_xyz({pixel[0], pixel[1], pixel[2]}), white);
 }
 
-/// ΔE of every pixel, NaN where one of the two is not finite.
+double percentile(const std::vector<double>& sorted, double fraction) {
+  const double position = fraction * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(position);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
+}
+
+}  // namespace
+
 std::vector<double> delta_e_map(const Image& reference, const Image& image, Xyz white) {
   std::vector<double> map(reference.pixels.size() / 3);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, map.size(), 1024), [&](const auto& range) {
@@ -38,15 +46,6 @@ std::vector<double> delta_e_map(const Image& reference, const Image& image, Xyz 
   });
   return map;
 }
-
-double percentile(const std::vector<double>& sorted, double fraction) {
-  const double position = fraction * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(position);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return std::lerp(sorted[below], sorted[above], position - static_cast<double>(below));
-}
-
-}  // namespace
 
 ImageDifference compare_images(const Image& reference, const Image& image, Xyz white) {
   if (reference.width != image.width || reference.height != image.height) {

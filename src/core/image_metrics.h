@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "core/image_io.h"
 #include "spectral/color.h"
@@ -15,6 +16,10 @@ struct ImageDifference {
   double relmse = 0;  ///< mean over pixels and channels of (image − reference)² / (reference² + 0.01)
   std::size_t non_finite = 0;  ///< pixels
 };
+
+/// CIEDE2000 of every pixel, row by row, as compare_images takes it; NaN where one of the two is not finite.
+/// @param image of the reference's size
+std::vector<double> delta_e_map(const Image& reference, const Image& image, Xyz white = d65_white());
 
 /// ΔE of unclipped linear sRGB at 0 EV, relative to `white` (XYZ). Percentiles are interpolated between order
 /// statistics.

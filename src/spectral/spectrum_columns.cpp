@@ -86,17 +86,14 @@ double number_at(const std::string& name, std::size_t line, std::string_view fie
 }
 
 /// The line's numbers, of which there must be as many as expected; 0: two or more.
-std::vector<double> parse_row(const std::string& name, const Line& line, std::size_t expected) {
+std::vector<double> parse_row(const std::string& name, const Line& line, std::size_t expected,
+                              const char* remedy) {
   const auto fields = split_fields(line.text);
-  if (expected == 2 && fields.size() != 2)
-    throw InputError(place(name, line.number),
-                     fmt::format("{} column(s) where two are expected", fields.size()),
-                     "give wavelength [nm] and one value");
   if (fields.size() < 2 || (expected > 0 && fields.size() != expected))
     throw InputError(place(name, line.number),
                      fmt::format("{} column(s) where {} are expected", fields.size(),
                                  expected > 0 ? fmt::format("{}", expected) : "two or more"),
-                     "give wavelength [nm] and as many values in every row");
+                     remedy);
   std::vector<double> numbers;
   for (const std::string& field : fields) numbers.push_back(number_at(name, line.number, field));
   return numbers;
@@ -190,7 +187,7 @@ std::vector<SpectrumRow> read_columns(const std::string& name, std::string_view 
   const auto lines = split_lines(text);
   std::vector<SpectrumRow> rows;
   for (std::size_t i = first_row(lines); i < lines.size(); ++i) {
-    const auto numbers = parse_row(name, lines[i], 2);
+    const auto numbers = parse_row(name, lines[i], 2, "give wavelength [nm] and one value");
     rows.push_back({numbers[0], numbers[1], lines[i].number});
   }
   return rows;
@@ -200,7 +197,8 @@ std::vector<std::vector<SpectrumRow>> read_many_columns(const std::string& name,
   const auto lines = split_lines(text);
   std::vector<std::vector<SpectrumRow>> spectra;
   for (std::size_t i = first_row(lines); i < lines.size(); ++i) {
-    const auto numbers = parse_row(name, lines[i], spectra.empty() ? 0 : spectra.size() + 1);
+    const auto numbers = parse_row(name, lines[i], spectra.empty() ? 0 : spectra.size() + 1,
+                                   "give wavelength [nm] and as many values in every row");
     spectra.resize(numbers.size() - 1);
     for (std::size_t c = 0; c < spectra.size(); ++c)
       spectra[c].push_back({numbers[0], numbers[c + 1], lines[i].number});

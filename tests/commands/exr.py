@@ -1,4 +1,5 @@
-"""Reads single-part scanline EXR files of floats, zip-compressed: just what photopic writes."""
+"""Reads single-part scanline EXR files of floats, zip-compressed: just what photopic writes. Writes them uncompressed,
+with channels of any name."""
 
 import struct
 import zlib
@@ -63,3 +64,29 @@ def read_exr(path):
                 begin = (row * len(names) + i) * width
                 channels[name] += values[begin : begin + width]
     return attributes, channels
+
+
+def write_exr(path, channels, width, height, left=0, top=0, full=None):
+    """@param channels a value each, for all pixels @param full width and height of the display window"""
+
+    def attribute(name, kind, value):
+        return f"{name}\0{kind}\0".encode() + struct.pack("<i", len(value)) + value
+
+    names = sorted(channels)
+    full_width, full_height = full or (width, height)
+    listed = b"".join(name.encode() + b"\0" + struct.pack("<4i", 2, 0, 1, 1) for name in names) + b"\0"
+    header = b"\x76\x2f\x31\x01\x02\0\0\0" + b"".join([
+        attribute("channels", "chlist", listed),
+        attribute("compression", "compression", b"\0"),
+        attribute("dataWindow", "box2i", struct.pack("<4i", left, top, left + width - 1, top + height - 1)),
+        attribute("displayWindow", "box2i", struct.pack("<4i", 0, 0, full_width - 1, full_height - 1)),
+        attribute("lineOrder", "lineOrder", b"\0"),
+        attribute("pixelAspectRatio", "float", struct.pack("<f", 1)),
+        attribute("screenWindowCenter", "v2f", struct.pack("<2f", 0, 0)),
+        attribute("screenWindowWidth", "float", struct.pack("<f", 1)),
+    ]) + b"\0"  # fmt: skip
+    row = b"".join(struct.pack("<f", channels[name]) * width for name in names)
+    first = len(header) + 8 * height
+    offsets = struct.pack(f"<{height}Q", *(first + y * (8 + len(row)) for y in range(height)))
+    rows = b"".join(struct.pack("<2i", top + y, len(row)) + row for y in range(height))
+    path.write_bytes(header + offsets + rows)

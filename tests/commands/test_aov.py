@@ -205,7 +205,7 @@ class Crop(CommandTest):
         self.assertEqual(struct.unpack(">2I", (self.folder / "a.png").read_bytes()[16:24]), (5, 3))
         self.assertIn(b"oFFs" + bytes(9), (self.folder / "a.png").read_bytes())  # shown where others are
         self.photopic("diff", "a.exr", "a.hdr", "a.png")
-        self.assert_refused(["diff", "whole.exr", "a.exr"], "5x3", "40x24")
+        self.assert_refused(["diff", "whole.exr", "a.hdr"], "5x3", "40x24")  # which does not say where it lies
 
     def test_limits_look_at_it_alone(self):
         self.photopic("render", self.scene, "-o", "a.exr", "--sampler", "uniform", "--crop", "8,8,20,20", "--quiet",

@@ -10,6 +10,7 @@ import time
 import unittest
 import xml.etree.ElementTree
 
+from exr import read_exr
 from harness import BINARY, DEADLINE, CommandTest
 
 RUN_FIELDS = {
@@ -80,8 +81,12 @@ class Render(CommandTest):
         )
         run = self.read_json("b.json")
         self.assertLessEqual(run["expected_mean_delta_e"], 3)
-        few = ("--sampler", "uniform", "--target-error", "3", "--spp", "8", "--json", "few.json")
-        self.assertNotIn("expected", self.photopic("render", self.scene, "-o", "few.exr", *few).stdout)
+        self.assertNotIn("--target-error", self.photopic("render", self.scene, "-o", "b.exr", "--sampler", "uniform",
+                                                         "--target-error", "3", "--spp", "32").stderr)  # fmt: skip
+        few = ("--sampler", "uniform", "--target-error", "3", "--spp", "8", "--json", "few.json", "--quiet")
+        result = self.photopic("render", self.scene, "-o", "few.exr", *few)
+        self.assertNotIn("expected", result.stdout)
+        self.assertEqual(result.stderr, "warning: --target-error was not judged: that takes 32 samples a pixel, not 8\n")
         self.assertIsNone(self.read_json("few.json")["expected_mean_delta_e"])
         self.photopic("render", self.scene, "-o", "c.exr", "--sampler", "illuminant", "--spp", "4096", "--seed", "9")
         self.assertLess(self.mean_difference("c.exr", "b.exr"), 3.3)
@@ -196,8 +201,31 @@ class Render(CommandTest):
         for keyword, text in [("sampler", "uniform"), ("spp", "4"), ("seed", "7"), ("scene", str(self.scene))]:
             self.assertIn(f"tEXt{keyword}\0{text}".encode(), png)
         self.assertNotIn(b"render_seconds", png)
+        for keyword, text in [("color", "sRGB"), ("exposure", "0 EV"), ("observer", "CIE 1931")]:
+            self.assertIn(f"tEXt{keyword}\0{text}".encode(), png)
+        self.assertNotIn(b"linear sRGB", png)
         self.render("a.EXR")
         self.assertIn(b"render_seconds", (self.folder / "a.EXR").read_bytes())
+
+    def test_exr_and_json_say_how_it_was_made(self):
+        self.render("sky.exr", "--resolution", "8x4")
+        self.render("a.exr", "--sequence", "independent", "--max-depth", "5", "--observer", "1964", "--white-balance",
+                    "cie:A", "--environment", "sky.exr", "--environment-strength", "2", "--environment-rotation", "-30",
+                    "--json", "a.json")  # fmt: skip
+        settings = {"sequence": "independent", "max_depth": 5, "observer": "CIE 1964", "white_balance": "cie:A",
+                    "environment": "sky.exr", "environment_strength": 2, "environment_rotation": -30}  # fmt: skip
+        self.assertLessEqual(settings.items(), self.read_json("a.json").items())
+        attributes, _ = read_exr(self.folder / "a.exr")
+        for key, value in settings.items():
+            text = value if isinstance(value, str) else f"{value}" if key == "max_depth" else f"{value:.1f}"
+            self.assertEqual(attributes[key].decode(), text, key)
+        self.render("plain.exr", "--color", "xyz", "--json", "plain.json")
+        attributes, _ = read_exr(self.folder / "plain.exr")
+        self.assertEqual(attributes["sequence"], b"sobol")
+        for key in ["environment", "environment_rotation", "white_balance"]:  # XYZ is as it was observed
+            self.assertNotIn(key, attributes)
+        self.assertIsNone(self.read_json("plain.json")["environment"])
+        self.assertEqual(self.read_json("plain.json")["white_balance"], "D65")
 
     def test_pipes_are_written_to(self):
         out = self.photopic("render", self.scene, "-o", "a.exr", "--sampler", "uniform", "--spp", "1", "--quiet",
@@ -309,7 +337,7 @@ class Compare(CommandTest):
         out = self.photopic(
             "compare", self.scene, "--emitter", "cie:FL11", "--distribution", "d.json", "--samplers", "uniform,optimized",
             "--spp", "8", "--reference-spp", "256", "--curve", "1,8", "--repeat", "2", "--report", "report",
-            "--json", "c.json", "--quiet",
+            "--json", "c.json",
         ).stdout  # fmt: skip
         self.assertEqual(out, (self.folder / "report/comparison.txt").read_text())
         for name in ["uniform", "optimized", "reference"]:
@@ -318,6 +346,7 @@ class Compare(CommandTest):
         self.assertTrue((self.folder / "report/color-bars.png").exists())
 
         result = self.read_json("c.json")
+        self.assertEqual((result["sequence"], result["white_balance"], result["environment"]), ("sobol", "D65", None))
         uniform, optimized = result["runs"]
         self.assertLessEqual(RUN_FIELDS, set(uniform))
         self.assertLess(optimized["mean_delta_e"], uniform["mean_delta_e"])
@@ -374,7 +403,7 @@ class Compare(CommandTest):
 
     def test_one_sample_has_no_variance(self):
         out = self.photopic("compare", self.scene, "--samplers", "uniform,visible", "--spp", "1", "--reference-spp", "2",
-                            "--json", "c.json", "--stats", "--quiet").stdout  # fmt: skip
+                            "--json", "c.json", "--stats").stdout  # fmt: skip
         self.assertNotIn("|z|", out)
         self.assertNotIn("inf", out)
         self.assertIn("± -", out)

@@ -15,9 +15,9 @@ COMMANDS = {
     "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet "
     "--compare-wavelengths --nodes --reflectances",
     "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter --scene --camera",
-    "diff": "--json --threads --white --quiet",
+    "diff": "--json --threads --white --quiet --exposure --map",
     "info": "--emitter --resolution --scene --camera --threads --json --quiet",
-    "spectrum": "--plot --json --quiet",
+    "spectrum": "--plot --json --quiet --threads",
 }
 
 
@@ -52,12 +52,19 @@ class Refused(CommandTest):
         self.assert_refused(["compare", self.scene, "--reference", "a.exr", "--reference-spp", "4"], "--reference")
 
     def test_the_culprit_is_named(self):
-        again = "give {} anew before each value"
+        again = "; give {} anew before each value; see"
+        crop = "; --crop takes one value, X0,Y0,X1,Y1; see"
         for arguments, needles in [
             (["render", "-o", "a.exr", "a.png", self.scene], [f"not expected: {self.scene}", again.format("--output")]),
-            (["render", "--aov", "albedo", "normal", "-o", "a.exr", self.scene], [again.format("--output, --aov")]),
-            (["render", "--emitter", "cie:A", "cie:D65", "-o", "a.exr", self.scene], [again.format("--emitter, --output")]),
-            (["info", self.scene, "b", "c"], ["not expected: b c; see"]),
+            (["render", "--aov", "albedo", "normal", "-o", "a.exr", self.scene], [again.format("--aov")]),
+            (["render", "--emitter", "cie:A", "cie:D65", "-o", "a.exr", self.scene], [again.format("--emitter")]),
+            (["render", "-o", "a.exr", self.scene, "b.glb"], ["not expected: b.glb; give one SCENE; see"]),
+            (["render", self.scene, "b.glb", "-o", "a.exr"], ["not expected: b.glb; give one SCENE; see"]),
+            (["render", self.scene, "-o", "a.exr", "--crop", "0", "0", "4", "4"], ["not expected: 0 4 4" + crop]),
+            (["render", self.scene, "-o", "a.exr", "--crop=0", "0", "4", "4"], [crop]),
+            (["render", "-o", "a.exr", "--quiet", "b.glb", self.scene], ["give one SCENE"]),
+            (["info", self.scene, "b", "c"], ["not expected: b c; give one SCENE; see"]),
+            (["spectrum", "--plot", "a.svg", "cie:A", "cie:D65"], ["not expected: cie:D65; give one SPECTRUM; see"]),
             (["render", "--out", "a.exr", self.scene], ["--out: there is no such option (--output?); see"]),
             (["render", "--camra", "eye", self.scene], ["--camra: there is no such option (--camera?); see"]),
             (["optimise", "cie:A"], ["optimise: there is no such command (optimize?); see"]),
@@ -234,7 +241,8 @@ class Refused(CommandTest):
         result = self.photopic("render", dark, "-o", "out.exr", "--sampler", "illuminant", "--spp", "1", "--quiet")
         self.assertIn("nothing in", result.stderr)
         self.assertIn("lit by an overcast sky", result.stderr)
-        self.photopic("render", dark, "-o", "sky.hdr", "--sampler", "uniform", "--spp", "1", "--quiet")
+        self.photopic("render", dark, "-o", "sky.hdr", "--sampler", "uniform", "--spp", "1", "--quiet",
+                      "--resolution", "64x32")
         lit = self.photopic("render", dark, "-o", "lit.exr", "--sampler", "uniform", "--spp", "1", "--quiet",
                             "--environment", "sky.hdr", "--environment-rotation", "90", "--environment-strength", "2")  # fmt: skip
         self.assertNotIn("sky", lit.stderr)

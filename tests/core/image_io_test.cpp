@@ -223,7 +223,7 @@ TEST_F(ImageIo, WithoutMemoryForTheFileItSaysSo) {
     write_image(folder_ / "small.exr", test_image());  // its threads are there before the limit
     std::string told;
     try {
-      const MemoryLimit limit(40'000'000);
+      const MemoryLimit limit(20'000'000);
       write_image(folder_ / name, noise);
     } catch (const InputError& error) {
       told = error.what();
@@ -265,6 +265,47 @@ TEST_F(ImageIo, MetadataAreReadBack) {
     EXPECT_EQ(metadata.at("sampler"), "uniform") << name;
   }
   EXPECT_TRUE(read_metadata(folder_ / "none.exr").empty());
+}
+
+TEST_F(ImageIo, AnExrTellsWhereItLies) {
+  Image image = test_image();
+  image.left = 4, image.top = 2, image.full_width = 20, image.full_height = 10;
+  for (const ColorSpace space : {ColorSpace::linear_srgb, ColorSpace::xyz}) {
+    image.space = space;
+    write_image(folder_ / "a.exr", image);
+    for (const ImageShape& read :
+         {ImageShape(read_image(folder_ / "a.exr")), read_image_shape(folder_ / "a.exr")}) {
+      EXPECT_EQ(read.width, 7);
+      EXPECT_EQ(read.left, 4);
+      EXPECT_EQ(read.top, 2);
+      EXPECT_EQ(read.full_width, 20);
+      EXPECT_EQ(read.full_height, 10);
+      EXPECT_FALSE(read.is_whole());
+    }
+  }
+  write_image(folder_ / "a.exr", test_image());
+  write_image(folder_ / "a.png", image);
+  EXPECT_EQ(read_image(folder_ / "a.exr").full_width, 7);
+  EXPECT_EQ(read_image(folder_ / "a.png").full_width, 0);
+  for (const char* name : {"a.exr", "a.png"}) EXPECT_TRUE(read_image_shape(folder_ / name).is_whole());
+}
+
+TEST_F(ImageIo, OneChannelIsGreyOrRefused) {
+  const std::vector<float> values{0.5f, -1.0f, 0.0f, 4.0f, 1e9f, 0.25f};
+  write_channel(folder_ / "grey.exr", "Y", {3, 2}, values, {{"white", "D65"}});
+  const Image grey = read_image(folder_ / "grey.exr");
+  for (std::size_t i = 0; i < grey.pixels.size(); ++i) EXPECT_EQ(grey.pixels[i], values[i / 3]) << i;
+  EXPECT_EQ(read_metadata(folder_ / "grey.exr").at("white"), "D65");
+  std::ofstream(folder_ / "grey.png", std::ios::binary)
+      << test::make_png(2, 1, test::PngColor::grey, {0, 255}, 8);
+  EXPECT_EQ(read_image(folder_ / "grey.png").pixels, (std::vector<float>{0, 0, 0, 1, 1, 1}));
+  write_channel(folder_ / "dE.exr", "dE", {3, 2}, values, {});
+  try {
+    read_image(folder_ / "dE.exr");
+    ADD_FAILURE();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("not those of one picture: dE; give"), std::string::npos);
+  }
 }
 
 TEST_F(ImageIo, BadImagesAreRefused) {

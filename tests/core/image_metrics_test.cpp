@@ -34,6 +34,17 @@ TEST(ImageMetrics, GreysByHand) {
   EXPECT_NEAR(d.relmse, 0.875 * 0.875 / 1.01, 1e-12);
 }
 
+TEST(ImageMetrics, TheMapHasEveryPixel) {
+  Image image = grey(2, 2, 1.0f);
+  image.at(1, 0)[1] = 0.5f;
+  image.at(0, 1)[2] = std::numeric_limits<float>::infinity();
+  const std::vector<double> map = delta_e_map(grey(2, 2, 1.0f), image);
+  ASSERT_EQ(map.size(), 4u);
+  EXPECT_EQ(map[0], 0.0);
+  EXPECT_EQ(map[1], compare_images(grey(2, 2, 1.0f), image).max_delta_e);
+  EXPECT_TRUE(std::isnan(map[2]));
+}
+
 TEST(ImageMetrics, RelativeErrorIsOfTheReference) {
   const ImageDifference forth = compare_images(grey(1, 1, 0.5f), grey(1, 1, 1.0f));
   EXPECT_NEAR(forth.relmse, 0.25 / 0.26, 1e-12);

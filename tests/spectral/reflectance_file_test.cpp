@@ -72,6 +72,9 @@ TEST_F(ReflectanceFile, NamesTheBadRow) {
                "p.csv:2: a reflectance of 10 is above 1; divide percentages");
   expect_error("p.csv", "400,0.1,0.2\n500,0.3\n", "p.csv:2: 2 column(s) where 3");
   expect_error("p.csv", "400,0.1\n500,0.3,0.4\n", "p.csv:2");
+  expect_error(
+      "p.csv", "400,0.1\n500,0.3,0.2\n",
+      "p.csv:2: 3 column(s) where 2 are expected; give wavelength [nm] and as many values in every row");
   expect_error("p.csv", "400\n500\n", "p.csv:1: 1 column(s) where two or more");
   expect_error("p.csv", "400,0.1,0.2\n500,0.3,x\n", "p.csv:2: 'x' is not a number");
   expect_error("p.csv", "400,0.1,0.2\n500,0.3,-0.1\n", "p.csv:2: the value -0.1 is negative");

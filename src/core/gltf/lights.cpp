@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "error.h"
 
@@ -82,10 +84,33 @@ void load_gltf_lights(const GltfDocument& document, const std::vector<NodeInstan
     scene.warnings.push_back(fmt::format("lights with a range, rendered as if without: {}", ranged));
 }
 
+namespace {
+
+/// Equirectangular maps are twice as wide as high; where a picture is one pixel wide or high, nothing is
+/// seen of how far it is stretched.
+void check_environment_shape(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+  const ImageShape shape = read_image_shape(file);
+  if (!shape.is_whole())
+    throw InputError(
+        file.string(),
+        fmt::format("its pixels, {}x{}, are not all of the picture, {}x{} (EXR's data and display "
+                    "window), and would be stretched over the whole sky",
+                    shape.width, shape.height, shape.full_width, shape.full_height),
+        "write it whole");
+  if (std::min(shape.width, shape.height) > 1 && std::abs(shape.width - 2 * shape.height) > 1)
+    warnings.push_back(
+        fmt::format("{}: is {}x{} pixels where an equirectangular map is twice as wide as high: "
+                    "it is stretched over the sky",
+                    file.string(), shape.width, shape.height));
+}
+
+}  // namespace
+
 void load_gltf_environment(const GltfDocument& document, const GltfOptions& options, GltfEmissions& emissions,
                            Scene& scene) {
   const bool given = !options.environment.file.empty();
   if (!given && emissions.has_lamp()) return;
+  if (given) check_environment_shape(options.environment.file, scene.warnings);
   Environment environment = given ? load_environment(options.environment, scene.warnings) : overcast_sky();
   environment.emission_spectrum =
       emissions.add({"environment", "environment", "", "", {1, 1, 1}, nullptr}).spectrum;
