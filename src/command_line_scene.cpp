@@ -57,8 +57,9 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
       ->type_name("N");
   command
       .add_option("--distribution", a.distribution,
-                  "Wavelength densities written by `photopic optimize` for this scene's lamps, of " + served +
-                      "; if not given, they are optimised on the spot and kept in $XDG_CACHE_HOME/photopic")
+                  "Wavelength densities written by `photopic optimize`, of " + served +
+                      ": unbiased under any lamps, least noisy under those they were made for; if not given, "
+                      "this scene's are optimised on the spot and kept in $XDG_CACHE_HOME/photopic")
       ->check(not_empty())
       ->type_name("FILE.json");
   command.add_flag("--no-cache", a.no_cache, "Neither read nor write that cache");

@@ -339,6 +339,16 @@ class Compare(CommandTest):
         measured = self.read_json("diff.json")["runs"][0]["mean_delta_e"]
         self.assertAlmostEqual(measured, uniform["mean_delta_e"], places=4)
 
+    def test_densities_of_another_lamp_are_unbiased(self):
+        self.photopic("optimize", "cie:FL11", "-o", "d.json", "--effort", "quick", "--quiet")
+        for lamp in ["cie:FL9", "cie:A"]:
+            result = self.photopic("compare", self.scene, "--emitter", lamp, "--distribution", "d.json", "--samplers",
+                                   "illuminant,optimized", "--spp", "64", "--reference-spp", "2", "--json", "c.json",
+                                   "--quiet")  # fmt: skip
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+            self.assertIn("d.json: was made for another lamp or other powers (cie:FL11)", result.stderr)
+            self.assertLess(self.read_json("c.json")["channel_agreement"]["largest_z"], 5)
+
     def test_diff_measures_with_the_same_whites(self):
         self.photopic("render", self.scene, "-o", "r.exr", "--sampler", "uniform", "--spp", "8", "--seed", "9", "--quiet")
         errors = []
