@@ -14,7 +14,8 @@ COMMANDS = {
     "--aov --spectral-bins --crop",
     "optimize": "--output --wavelengths --objective --effort --white --seed --threads --color-bar --plot --json --quiet "
     "--compare-wavelengths --nodes --reflectances",
-    "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter --scene --camera",
+    "compare": "--samplers --reference --reference-spp --curve --white --json --report --repeat --spp --emitter --scene --camera "
+    "--crop --time",
     "diff": "--json --threads --white --quiet",
     "info": "--emitter --resolution --scene --camera --threads --json --quiet",
     "spectrum": "--plot --json --quiet",
