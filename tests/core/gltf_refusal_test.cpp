@@ -220,6 +220,13 @@ TEST_F(GltfTest, OddButValidFilesLoadWithAWarning) {
   SquareFile optional;
   optional.more = R"(, "extensionsUsed": ["XX_unheard_of", "XX_unheard_of", "KHR_materials_variants"])";
   EXPECT_EQ(load(optional.str()).warnings.size(), 1u);
+
+  // Whether they are declared, and how often they are there, is all the same.
+  optional.materials = R"([{"extensions": {"XX_unheard_of": {}, "KHR_materials_ior": {}, "XX_undeclared": {}},
+      "extras": {"extensions": {"XX_of_others": {}}}}, {"extensions": {"XX_undeclared": {"deep": 1}}}])";
+  EXPECT_EQ(load(optional.str()).warnings,
+            (std::vector<std::string>{"the extension XX_undeclared is ignored",
+                                      "the extension XX_unheard_of is ignored"}));
 }
 
 TEST_F(GltfTest, CompressedGeometryIsRefusedUnlessItIsThereUncompressedToo) {
