@@ -210,6 +210,28 @@ TEST_F(GltfTest, WhatGlassDoesNotWearIsWarnedOf) {
             std::vector<std::string>{"material 0: its glass is rendered without sheen"});
 }
 
+TEST_F(GltfTest, AttenuationUnderDiffuseTransmissionIsWarnedOfOnce) {
+  SquareFile file;
+  const auto warnings_of = [&](const std::string& volume, const std::string& more = "") {
+    const std::string material = fmt::format(
+        R"({{"name": "wax", "extensions": {{"KHR_materials_diffuse_transmission": {{"diffuseTransmissionFactor": 1}},
+        "KHR_materials_volume": {{{}}}{}}}}})",
+        volume, more);
+    file.materials = fmt::format("[{0}, {0}]", material);
+    return load(file.str()).warnings;
+  };
+  const std::string color = R"("thicknessFactor": 1, "attenuationDistance": 0.1, "attenuationColor": )";
+  const std::vector<std::string> warnings = warnings_of(color + "[0.9, 0.5, 0.1]");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warnings[0].starts_with("material \"wax\" and 1 more: KHR_materials_volume ")) << warnings[0];
+  EXPECT_EQ(warnings_of(color + "[0.1, 0.1, 0.1]").size(), 1u);
+  for (const auto& nothing_ignored :
+       {warnings_of(R"("thicknessFactor": 1)"), warnings_of(color + "[1, 1, 1]"),
+        warnings_of(R"("attenuationDistance": 0.1, "attenuationColor": [0.1, 0.1, 0.1])"),
+        warnings_of(color + "[0.1, 0.1, 0.1]", R"(, "KHR_materials_unlit": {})")})
+    EXPECT_EQ(nothing_ignored, std::vector<std::string>());
+}
+
 TEST_F(GltfTest, WrongExtrasOfGlassAreRefused) {
   SquareFile file;
   for (const char* wrong : {R"({"solid": 1})", R"({"solid": "yes"})", R"({"priority": 1.5})",
