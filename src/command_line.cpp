@@ -14,19 +14,6 @@
 namespace photopic {
 namespace {
 
-/// CLI::Range lets "nan" pass.
-CLI::Validator number_between(double min, double max) {
-  const std::string range = fmt::format("{} to {}", min, max);
-  const auto check = [min, max, range](std::string& text) {
-    double value = 0;
-    const bool good = CLI::detail::lexical_cast(text, value) && value >= min && value <= max;
-    return good ? std::string() : "Value " + text + " is not a number from " + range;
-  };
-  return {check, range};
-}
-
-const CLI::Validator kSeconds = number_between(1e-3, 1e9), kDeltaE = number_between(1e-3, 1e3);
-
 void bind_layers(CLI::App& command, RenderArguments& a) {
   command
       .add_option(
@@ -73,30 +60,11 @@ void bind_render(CLI::App& app, std::function<int()>& action, int& threads) {
       ->type_name("NAME");
   command
       .add_option(
-          "--crop", a->crop,
-          "Window to render and to write alone, of the same pixels as the whole picture's: from the top "
-          "left [pixels], X1 and Y1 just outside. An EXR says where it lies. --target-error judges the tiles "
-          "that its edge cuts by what is left of them: their numbers of samples may be others")
-      ->check(not_empty())
-      ->type_name("X0,Y0,X1,Y1");
-  command
-      .add_option(
-          "--time", a->scene.seconds,
-          "End the render after so many seconds, scene and optimisation not counted, but not before each "
-          "pixel has a sample; without --spp as many samples as fit")
-      ->check(kSeconds)
-      ->type_name("SECONDS");
-  command
-      .add_option(
           "--target-error", a->scene.target_error,
           "End each 16x16 pixels when their expected mean ΔE (CIEDE2000, 0 EV) is this or less; without "
           "--spp however many samples that takes. It is first judged at 32 samples a pixel")
-      ->check(kDeltaE)
+      ->check(number_between(1e-3, 1e3))
       ->type_name("ΔE");
-  command.parse_complete_callback([a, &command] {
-    const bool limited = a->scene.seconds > 0 || a->scene.target_error > 0;
-    if (limited && command.count("--spp") == 0) a->scene.spp = kMaxSamples;
-  });
   command
       .add_option("--color", a->color,
                   "What an EXR holds: srgb (linear sRGB) or xyz (CIE XYZ as observed, without white balance)")

@@ -19,18 +19,20 @@ void bind_compare(CLI::App& app, std::function<int()>& action, int& threads) {
       ->check(one_of(kSamplers))
       ->type_name("NAME,…");
   auto* reference = command.add_option("--reference", a->reference,
-                                       "Linear image to measure against; rendered if not given");
+                                       "Linear image to measure against, whole or of --crop's window alone; "
+                                       "rendered if not given");
   reference->check(not_empty())->type_name("FILE.exr");
   command
-      .add_option("--reference-spp", a->reference_spp,
-                  "Samples per pixel of the rendered reference: optimised wavelengths, seeds of its own; 16 "
-                  "times --spp "
-                  "and at least 1024 if not given")
+      .add_option(
+          "--reference-spp", a->reference_spp,
+          "Samples per pixel of the rendered reference: optimised wavelengths, seeds of its own; if "
+          "not given 16 times --spp and at least 1024, but with --time for no longer than 16 times that")
       ->check(CLI::Range(2, kMaxSamples))
       ->excludes(reference)
       ->type_name("N");
   command
-      .add_option("--curve", a->curve, "Also measure the mean ΔE and the seconds at these samples per pixel")
+      .add_option("--curve", a->curve,
+                  "Also measure the mean ΔE and the seconds at these samples per pixel, whatever --time")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(samples_range())

@@ -1,9 +1,21 @@
 #include "command_line_scene.h"
 
+#include <fmt/format.h>
+
 #include "command_line_lights.h"
 #include "command_line_options.h"
 
 namespace photopic {
+
+CLI::Validator number_between(double min, double max) {
+  const std::string range = fmt::format("{} to {}", min, max);
+  const auto check = [min, max, range](std::string& text) {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && value >= min && value <= max;
+    return good ? std::string() : "Value " + text + " is not a number from " + range;
+  };
+  return {check, range};
+}
 
 void bind_scene_file(CLI::App& command, SceneArguments& a) {
   command.add_option("SCENE", a.scene, "A glTF 2.0 file, .gltf or .glb")->required()->type_name("");
@@ -32,10 +44,28 @@ void bind_scene_file(CLI::App& command, SceneArguments& a) {
 
 void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served) {
   bind_scene_file(command, a);
+  command
+      .add_option(
+          "--crop", a.crop,
+          "Window to render and to write alone, of the same pixels as the whole picture's: from the top "
+          "left [pixels], X1 and Y1 just outside. An EXR says where it lies. --target-error judges the tiles "
+          "that its edge cuts by what is left of them: their numbers of samples may be others")
+      ->check(not_empty())
+      ->type_name("X0,Y0,X1,Y1");
   command.add_option("--spp", a.spp, "Samples per pixel")
       ->capture_default_str()
       ->check(samples_range())
       ->type_name("N");
+  command
+      .add_option("--time", a.seconds,
+                  "End each render after so many seconds, scene and optimisation not counted, but not "
+                  "before each pixel has a sample; without --spp as many samples as fit")
+      ->check(number_between(1e-3, 1e9))
+      ->type_name("SECONDS");
+  command.parse_complete_callback([&a, &command] {
+    const bool limited = a.seconds > 0 || a.target_error > 0;
+    if (limited && command.count("--spp") == 0) a.spp = kMaxSamples;
+  });
   command
       .add_option("--wavelengths", a.wavelengths,
                   "Wavelengths a path carries: 1, 4, 8 or 16; the --distribution's, else 4, if not given")
@@ -43,8 +73,9 @@ void bind_scene(CLI::App& command, SceneArguments& a, const std::string& served)
       ->type_name("N");
   command
       .add_option("--distribution", a.distribution,
-                  "Wavelength densities written by `photopic optimize` for this scene's lamps, of " + served +
-                      "; if not given, they are optimised on the spot and kept in $XDG_CACHE_HOME/photopic")
+                  "Wavelength densities written by `photopic optimize`, of " + served +
+                      ": unbiased under any lamps, least noisy under those they were made for; if not given, "
+                      "this scene's are optimised on the spot and kept in $XDG_CACHE_HOME/photopic")
       ->check(not_empty())
       ->type_name("FILE.json");
   command.add_flag("--no-cache", a.no_cache, "Neither read nor write that cache");

@@ -13,6 +13,9 @@ inline CLI::Range samples_range() {
   return {1, kMaxSamples};
 }
 
+/// CLI::Range lets "nan" pass.
+CLI::Validator number_between(double min, double max);
+
 /// What a scene is loaded with.
 void bind_scene_file(CLI::App& command, SceneArguments& a);
 

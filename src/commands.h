@@ -31,6 +31,7 @@ struct SceneArguments {
   double punctual_scale = 1.0;  ///< factor on the intensities of punctual lights
   bool solid_glass = false;     ///< closed meshes that transmit are solid
   std::string resolution;       ///< "WxH" [pixels]; empty: the camera's
+  std::string crop;             ///< "X0,Y0,X1,Y1" [pixels]: what alone is rendered; empty: all
 
   int spp = 64;                        ///< samples per pixel, at most
   double seconds = 0;                  ///< end a render after so long; 0: no limit
@@ -52,7 +53,6 @@ struct RenderArguments {
   SceneArguments scene;
   std::vector<std::filesystem::path> outputs;
   std::string sampler = "optimized";
-  std::string crop;               ///< "X0,Y0,X1,Y1" [pixels]: what alone is rendered; empty: all
   std::string color = "srgb";     ///< what an EXR holds; or "xyz"
   std::string white_balance;      ///< the SPECTRUM that comes out white, or "illuminant"; empty: D65
   std::vector<std::string> aovs;  ///< layers of an EXR: names of kAovs
@@ -65,7 +65,7 @@ struct CompareArguments {
   SceneArguments scene;
   std::vector<std::string> samplers = kSamplers;
   std::filesystem::path reference;  ///< an image; empty: rendered
-  int reference_spp = 0;            ///< 0: 16 times the runs', at least 1,024
+  int reference_spp = 0;            ///< 0: 16 times the runs', at least 1,024, or 16 times their seconds
   std::vector<int> curve;           ///< further samples per pixel at which the mean ΔE is measured
   int repeat = 1;                   ///< timed rounds over all samplers
   std::string white = "D65";        ///< or "illuminant"

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "commands.h"
 #include "comparison_run.h"
+#include "crop.h"
 #include "error.h"
 #include "input_file.h"
 #include "interrupt.h"
@@ -101,6 +103,7 @@ void write_json(const CompareArguments& arguments, const Scene& scene, const Com
   json["scene"] = scene_json(arguments.scene, scene);
   json["scene"]["resolution"] = {scene.camera.width, scene.camera.height};
   json.update(settings_json(arguments.scene, ""));
+  json["scene"]["crop"] = crop_json(parse_crop(arguments.scene.crop));
   write_json_file(arguments.json, json);
 }
 
@@ -125,15 +128,19 @@ int run_compare(const CompareArguments& arguments) {
   if (!arguments.reference.empty()) check_readable_file(arguments.reference);
   const std::vector<std::filesystem::path> outputs = check_outputs(arguments);
   check_distribution(arguments);
+  const std::optional<PixelWindow> window = parse_crop(arguments.scene.crop);
   const int wavelengths = choose_wavelength_count(arguments.scene.wavelengths, arguments.scene.distribution);
-  const PreparedScene scene(load_scene(arguments.scene, outputs));
+  Scene loaded = load_scene(arguments.scene, outputs);
+  if (window) check_crop(*window, loaded.camera);
+  const PreparedScene scene(std::move(loaded));
   const auto request = distribution_request(arguments.scene, scene, wavelengths, arguments.white);
   const Setting setting{arguments,
                         scene,
                         wavelengths,
                         white_of(request.optimize.white, scene_emission(scene)),
                         white_balance("", standard_observer(arguments.scene), scene),
-                        request};
+                        request,
+                        window};
 
   std::vector<Entry> entries = choose_samplers(setting);
   if (arguments.scene.exposure != 0.0 && arguments.report.empty())

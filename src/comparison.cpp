@@ -19,9 +19,11 @@ std::string format_gain(const std::optional<double>& gain) {
   return gain ? fmt::format("{:.2f}x", *gain) : "-";
 }
 
-std::string runs_table(const std::vector<Run>& runs) {
+/// @param timed runs differ in their samples a pixel
+std::string runs_table(const std::vector<Run>& runs, bool timed) {
   std::vector<std::vector<std::string>> rows{{"sampler", "mean ΔE", "median", "p95", "max", "gain", "seconds",
                                               "time", "M samples/s", "M rays/s", "optimise s", "non-finite"}};
+  if (timed) rows.front().insert(rows.front().begin() + 1, "samples/pixel");
   for (const Run& run : runs) {
     const ImageDifference& m = *run.metrics;
     rows.push_back({run.sampler, fmt::format("{:.3f}", m.mean_delta_e),
@@ -31,6 +33,7 @@ std::string runs_table(const std::vector<Run>& runs) {
                     fmt::format("{:.3f}", run.samples_per_second() * 1e-6),
                     fmt::format("{:.3f}", run.rays_per_second() * 1e-6),
                     fmt::format("{:.2f}", run.optimize_seconds), fmt::format("{}", run.stats.non_finite)});
+    if (timed) rows.back().insert(rows.back().begin() + 1, fmt::format("{:.1f}", run.mean_spp));
   }
   return format_table(rows);
 }
@@ -50,7 +53,8 @@ std::string curves_table(const std::vector<ErrorCurve>& curves) {
 }  // namespace
 
 std::string format_comparison(const Comparison& comparison) {
-  std::string text = runs_table(comparison.runs) + "\nreference: " + comparison.reference.description;
+  std::string text =
+      runs_table(comparison.runs, comparison.timed) + "\nreference: " + comparison.reference.description;
   if (comparison.reference.own_error)
     text += fmt::format(", its own mean ΔE about {:.3f}", *comparison.reference.own_error);
   text += fmt::format("; white of ΔE: {}\n", comparison.white);

@@ -33,6 +33,7 @@ struct Comparison {
   std::vector<Run> runs;
   std::vector<ErrorCurve> curves;
   std::string white;
+  bool timed = false;  ///< the runs had equal times, not equal numbers of samples
   bool interrupted = false;
 };
 

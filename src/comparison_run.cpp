@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "crop.h"
 #include "error.h"
 #include "image_pair.h"
 #include "scene_setup.h"
@@ -25,10 +27,10 @@ Reference read_reference(const Setting& setting) {
   reference.file = reference.description = setting.arguments.reference.string();
   reference.image = read_image(setting.arguments.reference);
   const Camera& camera = setting.scene.scene.camera;
-  const ImageShape render{.width = camera.width,
-                          .height = camera.height,
-                          .full_width = camera.width,
-                          .full_height = camera.height};
+  const bool whole = reference.image.width == camera.width && reference.image.height == camera.height;
+  if (setting.window && whole) reference.image = cropped(reference.image, *setting.window);
+  const PixelWindow part = setting.window.value_or(PixelWindow{0, 0, camera.width, camera.height});
+  const ImageShape render{part.width(), part.height(), part.x0, part.y0, camera.width, camera.height};
   check_same_pixels(render, reference.image, reference.file);
   return reference;
 }
@@ -44,6 +46,17 @@ void warn_of_reference(const Setting& setting, const std::vector<Entry>& entries
                          {{"sampler", entry.name}, {"seed", std::to_string(entry.seed)}});
 }
 
+/// Renders the window alone. @param seconds 0: no limit
+RenderResult render_window(const Setting& setting, const std::string& label, const WavelengthSampler& sampler,
+                           int spp, double seconds, std::uint32_t seed) {
+  SceneArguments options = setting.arguments.scene;
+  options.seconds = seconds;
+  RenderResult result =
+      render_with_progress(label, setting.scene, sampler, options, spp, seed, {}, setting.window);
+  if (setting.window) result.film = result.film.cropped(*setting.window);
+  return result;
+}
+
 /// Two renders of half the samples each, averaged. Their errors are independent and each is √2 times the
 /// average's, so they are about twice the average's error apart: half their mean ΔE estimates it.
 /// @return nothing when interrupted
@@ -52,17 +65,20 @@ std::optional<Reference> render_reference(const Setting& setting, const Waveleng
   const int asked = setting.arguments.reference_spp;
   const int half = asked > 0 ? (asked + 1) / 2 : std::max(512, 8 * std::min(options.spp, 1 << 20));
 
+  const double half_seconds = asked > 0 ? 0 : 8 * options.seconds;
+
   std::vector<Image> halves;
   Reference reference;
   for (std::uint32_t i = 1; i <= 2; ++i) {
+    const std::uint32_t seed = options.seed + i * kReferenceSeedDistance;
     const RenderResult result =
-        render_with_progress(fmt::format("reference, half {}", i), setting.scene, sampler, options, half,
-                             options.seed + i * kReferenceSeedDistance);
+        render_window(setting, fmt::format("reference, half {}", i), sampler, half, half_seconds, seed);
     if (result.stats.stopped) return std::nullopt;
     halves.push_back(setting.develop(result.film));
-    reference.render_seconds += result.stats.seconds;
+    const Run run = make_run("optimized", half, setting.wavelengths, seed, result.film, result.stats);
+    reference.spp += static_cast<int>(std::lround(run.mean_spp));
+    reference.render_seconds += run.render_seconds;
   }
-  reference.spp = 2 * half;
   reference.description = fmt::format("optimized, {} spp", reference.spp);
   reference.image = average(halves[0], halves[1]);
   reference.own_error = 0.5 * compare_images(halves[0], halves[1], setting.white).mean_delta_e;
@@ -75,8 +91,8 @@ bool render_rounds(const Setting& setting, std::vector<Entry>& entries) {
   const SceneArguments& options = setting.arguments.scene;
   for (int round = 0; round < setting.arguments.repeat; ++round) {
     for (Entry& entry : entries) {
-      RenderResult result = render_with_progress(entry.name, setting.scene, entry.chosen.sampler, options,
-                                                 options.spp, entry.seed);
+      RenderResult result =
+          render_window(setting, entry.name, entry.chosen.sampler, options.spp, options.seconds, entry.seed);
       if (result.stats.stopped) return false;
       entry.seconds.push_back(result.stats.seconds);
       if (!entry.result) entry.result.emplace(std::move(result));
@@ -102,6 +118,7 @@ WavelengthSampler reference_sampler(const Setting& setting, const std::vector<En
 Run measure(const Setting& setting, const Reference& reference, const Entry& first, const Entry& entry) {
   Run run = make_run(entry.name, setting.arguments.scene.spp, setting.wavelengths, entry.seed,
                      entry.result->film, entry.result->stats);
+  if (setting.arguments.scene.seconds > 0) run.spp = static_cast<int>(std::lround(run.mean_spp));
   run.render_seconds = median(entry.seconds);
   run.time_ratio = median_time_ratio(first, entry);
   run.optimize_seconds = entry.chosen.optimize_seconds;
@@ -117,14 +134,13 @@ std::optional<ErrorCurve> measure_curve(const Setting& setting, const Reference&
                                         const Entry& entry, const Run& run) {
   ErrorCurve curve{.sampler = entry.name, .spp = setting.arguments.curve, .seconds = {}, .mean_delta_e = {}};
   for (int spp : curve.spp) {
-    if (spp == run.spp) {
+    if (spp == run.mean_spp) {
       curve.seconds.push_back(run.render_seconds);
       curve.mean_delta_e.push_back(run.metrics->mean_delta_e);
       continue;
     }
-    const RenderResult result =
-        render_with_progress(fmt::format("{}, {} spp", entry.name, spp), setting.scene, entry.chosen.sampler,
-                             setting.arguments.scene, spp, entry.seed);
+    const RenderResult result = render_window(setting, fmt::format("{}, {} spp", entry.name, spp),
+                                              entry.chosen.sampler, spp, 0.0, entry.seed);
     if (result.stats.stopped) return std::nullopt;
     const Image image = setting.develop(result.film);
     curve.seconds.push_back(result.stats.seconds);
@@ -134,6 +150,12 @@ std::optional<ErrorCurve> measure_curve(const Setting& setting, const Reference&
 }
 
 }  // namespace
+
+Image Setting::develop(const Film& film) const {
+  Image image = film.to_linear_srgb(adaptation);
+  if (window) place_in(*window, scene.scene.camera, image);
+  return image;
+}
 
 std::uint32_t reference_seed(const Setting& setting) {
   return setting.arguments.scene.seed + kReferenceSeedDistance;
@@ -154,6 +176,7 @@ std::vector<Entry> choose_samplers(const Setting& setting) {
 Comparison compare(const Setting& setting, std::vector<Entry>& entries) {
   Comparison comparison;
   comparison.white = setting.arguments.white;
+  comparison.timed = setting.arguments.scene.seconds > 0;
   auto reference = setting.arguments.reference.empty()
                        ? render_reference(setting, reference_sampler(setting, entries))
                        : read_reference(setting);

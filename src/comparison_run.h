@@ -6,6 +6,7 @@
 
 #include "commands.h"
 #include "comparison.h"
+#include "core/film.h"
 #include "sampler_choice.h"
 
 namespace photopic {
@@ -27,8 +28,10 @@ struct Setting {
   Xyz white;
   ChromaticAdaptation adaptation;  ///< from the observer's D65
   DistributionRequest request;
+  std::optional<PixelWindow> window = {};  ///< what alone is rendered and measured
 
-  Image develop(const Film& film) const { return film.to_linear_srgb(adaptation); }
+  /// @param film of the window alone
+  Image develop(const Film& film) const;
 };
 
 /// Of the reference's first half; the second's is as far away again.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
@@ -38,6 +39,18 @@ void check_crop(const PixelWindow& window, const Camera& camera) {
   throw InputError(fmt::format("--crop {},{},{},{}", window.x0, window.y0, window.x1, window.y1),
                    fmt::format("reaches beyond the picture of {}x{}", camera.width, camera.height),
                    "give a window inside it, or a larger --resolution");
+}
+
+nlohmann::ordered_json crop_json(const std::optional<PixelWindow>& window) {
+  if (!window) return {};
+  return {window->x0, window->y0, window->x1, window->y1};
+}
+
+Image cropped(const Image& image, const PixelWindow& window) {
+  Image part(window.width(), window.height(), image.space);
+  for (int y = 0; y < part.height; ++y)
+    std::copy_n(image.at(window.x0, window.y0 + y), 3 * part.width, part.at(0, y));
+  return part;
 }
 
 void crop_layers(const PixelWindow& window, const Camera& camera, std::vector<ImageLayer>& layers) {

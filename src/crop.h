@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,12 @@ std::optional<PixelWindow> parse_crop(const std::string& text);
 
 /// @throws InputError when the window reaches beyond the camera's picture
 void check_crop(const PixelWindow& window, const Camera& camera);
+
+/// Null: no window.
+nlohmann::ordered_json crop_json(const std::optional<PixelWindow>& window);
+
+/// A part of an image. @param window inside it
+Image cropped(const Image& image, const PixelWindow& window);
 
 /// Layers of the whole picture become the window's.
 void crop_layers(const PixelWindow& window, const Camera& camera, std::vector<ImageLayer>& layers);

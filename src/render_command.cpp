@@ -56,18 +56,13 @@ void warn_of_idle_options(const RenderArguments& arguments) {
     print_warning("--white-balance has no effect: --color xyz is without it");
 }
 
-nlohmann::ordered_json crop_json(const std::optional<PixelWindow>& window) {
-  if (!window) return {};
-  return {window->x0, window->y0, window->x1, window->y1};
-}
-
 void write_json(const RenderArguments& arguments, const Scene& scene, const Run& run,
                 const PhaseTimes& times) {
   nlohmann::ordered_json json = run_json(run);
   json["version"] = PHOTOPIC_VERSION;
   json["interrupted"] = run.stats.stopped;
   json["resolution"] = {scene.camera.width, scene.camera.height};
-  json["crop"] = crop_json(parse_crop(arguments.crop));
+  json["crop"] = crop_json(parse_crop(arguments.scene.crop));
   json["scene"] = scene_json(arguments.scene, scene);
   json["scene"].update({{"triangles", scene.geometry.triangles.size()},
                         {"shapes", scene.geometry.shapes.size()},
@@ -120,7 +115,7 @@ std::string format_stats(const Scene& scene, const Run& run, const PhaseTimes& t
 void write_images(const RenderArguments& arguments, const Film& film, const ChromaticAdaptation& adaptation,
                   const Scene& scene, const Run& run, const std::vector<ImageLayer>& layers,
                   OutputAttempts& attempt) {
-  const std::optional<PixelWindow> window = parse_crop(arguments.crop);
+  const std::optional<PixelWindow> window = parse_crop(arguments.scene.crop);
   for (const auto& output : arguments.outputs) {
     const bool xyz = arguments.color == "xyz" && is_exr(output);
     attempt(output, [&] {
@@ -145,7 +140,7 @@ int run_render(const RenderArguments& arguments) {
   if (!options.distribution.empty() && arguments.sampler != "optimized")
     throw InputError("--distribution", "is for the optimised sampler alone",
                      "leave it out or use --sampler optimized");
-  const std::optional<PixelWindow> window = parse_crop(arguments.crop);
+  const std::optional<PixelWindow> window = parse_crop(options.crop);
   warn_of_idle_options(arguments);
   const int wavelengths = choose_wavelength_count(options.wavelengths, options.distribution);
 

@@ -11,6 +11,7 @@
 #include "error.h"
 #include "input_file.h"
 #include "interrupt.h"
+#include "messages.h"
 #include "spectral/lamp_set.h"
 
 namespace photopic {
@@ -49,14 +50,16 @@ std::string lamp_names(const PreparedScene& scene) {
   return fmt::format("{}", fmt::join(names, " "));
 }
 
-/// A distribution made for another lamp would be unbiased but no better than a guess: refuse it.
-void check_lamps(const WavelengthDistribution& distribution, std::span<const TabulatedSpectrum> lamps,
-                 const DistributionRequest& request) {
+/// A file that can be read leaves no gap from 360 to 830 nm, so that it is unbiased under any lamp. That it
+/// is as good as one made for the scene only its own lamps let expect.
+void warn_of_other_lamps(const WavelengthDistribution& distribution, std::span<const TabulatedSpectrum> lamps,
+                         const DistributionRequest& request) {
   if (distribution.spectrum_digest == digest(lamps)) return;
-  throw InputError(request.file.string(),
-                   fmt::format("was made for another lamp or other powers ({}) than the scene's ({})",
-                               distribution.spectrum, request.lamps),
-                   "optimise for this scene's lamps, or leave out --distribution to have that done");
+  constexpr std::size_t kLongest = 200;
+  print_warning(fmt::format(
+      "{}: was made for another lamp or other powers ({}) than the scene's ({}): still unbiased, but noisier "
+      "than one made for this scene, and maybe than --sampler uniform; without --distribution one is made",
+      request.file.string(), distribution.spectrum.substr(0, kLongest), request.lamps.substr(0, kLongest)));
 }
 
 ChosenSampler optimized_sampler(const PreparedScene& scene, const DistributionRequest& request) {
@@ -67,7 +70,7 @@ ChosenSampler optimized_sampler(const PreparedScene& scene, const DistributionRe
     return {OptimizedWavelengths(cached), cached.optimize_seconds};
   }
   const WavelengthDistribution distribution = read_distribution(request.file);
-  check_lamps(distribution, lamps, request);
+  warn_of_other_lamps(distribution, lamps, request);
   return {OptimizedWavelengths(distribution), distribution.optimize_seconds};
 }
 

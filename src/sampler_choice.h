@@ -35,8 +35,9 @@ struct ChosenSampler {
   double optimize_seconds = 0;  ///< paid when its distribution was made, now or before; 0: it has none
 };
 
-/// The sampler called `name`, one of kSamplers, for a scene's lamps.
-/// @throws InputError when the distribution file was made for others
+/// The sampler called `name`, one of kSamplers, for a scene's lamps. Warns of a distribution file that was
+/// made for others.
+/// @throws InputError when the file cannot be read or its densities leave a gap
 ChosenSampler choose_sampler(std::string_view name, const PreparedScene& scene,
                              const DistributionRequest& request);
 

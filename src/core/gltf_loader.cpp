@@ -28,12 +28,8 @@ void warn_of_ignored(const GltfDocument& document, std::vector<std::string>& war
   const auto known = [](const std::string& name) {
     return std::ranges::count(gltf_rules::kSupported, name) > 0;
   };
-  std::vector<std::string> names = document.model.extensionsUsed;
-  std::ranges::sort(names);
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  for (const std::string& name : names) {
+  for (const std::string& name : document.extensions)
     if (!known(name)) warnings.push_back(fmt::format("the extension {} is ignored", name.substr(0, 60)));
-  }
   if (document.animation_count > 0)
     warnings.push_back(fmt::format("animations are not played: {}", document.animation_count));
   if (document.double_transforms > 0)

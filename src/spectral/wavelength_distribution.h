@@ -46,7 +46,7 @@ struct WavelengthDistribution {
   PiecewiseLinearDensity base;
   std::vector<Component> components;  ///< N of them
 
-  // Where it comes from: kept in the file, so that a render can refuse a distribution made for another lamp.
+  // Where it comes from: kept in the file, so that a render can tell a distribution made for other lamps.
   std::string spectrum = {};         ///< as the user named it
   std::string spectrum_digest = {};  ///< digest() of the tabulated emission
   std::string objective = {};        ///< "asymptotic" or "mean-delta-e"

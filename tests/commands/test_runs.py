@@ -368,6 +368,53 @@ class Compare(CommandTest):
         measured = self.read_json("diff.json")["runs"][0]["mean_delta_e"]
         self.assertAlmostEqual(measured, uniform["mean_delta_e"], places=4)
 
+    def test_densities_of_another_lamp_are_unbiased(self):
+        self.photopic("optimize", "cie:FL11", "-o", "d.json", "--effort", "quick", "--quiet")
+        for lamp in ["cie:FL9", "cie:A"]:
+            result = self.photopic("compare", self.scene, "--emitter", lamp, "--distribution", "d.json", "--samplers",
+                                   "illuminant,optimized", "--spp", "64", "--reference-spp", "2", "--json", "c.json",
+                                   "--quiet")  # fmt: skip
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+            self.assertIn("d.json: was made for another lamp or other powers (cie:FL11)", result.stderr)
+            self.assertLess(self.read_json("c.json")["channel_agreement"]["largest_z"], 5)
+
+    def test_a_window_is_measured_alone(self):
+        common = ["--spp", "4", "--sequence", "independent", "--resolution", "40x24", "--quiet"]
+        compare = ["compare", self.scene, "--samplers", "uniform", *common]
+        crop = ["--crop", "11,3,29,22"]
+        self.photopic(*compare, "--reference-spp", "8", "--report", "whole")
+        self.photopic(*compare, *crop, "--reference-spp", "8", "--report", "part", "--json", "c.json")
+        result = self.read_json("c.json")
+        self.assertEqual(result["scene"]["crop"], [11, 3, 29, 22])
+        self.assertEqual(result["runs"][0]["mean_spp"], 4)
+        self.photopic("render", self.scene, "-o", "part.exr", "--sampler", "uniform", *crop, *common)
+        self.photopic("diff", "part.exr", "part/uniform.exr", "--json", "d.json")
+        self.assertEqual(self.read_json("d.json")["runs"][0]["max_delta_e"], 0)
+        for reference in ["whole/reference.exr", "part/reference.exr"]:  # the one is cut, the other is cut already
+            self.photopic(*compare, *crop, "--reference", reference, "--json", "c.json")
+            error = self.read_json("c.json")["runs"][0]["mean_delta_e"]
+            self.assertAlmostEqual(error, result["runs"][0]["mean_delta_e"], places=4)
+        self.assert_refused(compare + ["--crop", "0,0,18,18", "--reference", "part/reference.exr"], "18x19", "18x18")
+        self.assert_refused(compare + ["--crop", "0,0,41,24"], "--crop", "40x24")
+
+    def test_equal_times(self):
+        compare = ["compare", self.scene, "--samplers", "uniform,visible", "--time", "0.1", "--json", "c.json"]
+        out = self.photopic(*compare, "--curve", "1").stdout
+        result = self.read_json("c.json")
+        for run in result["runs"]:
+            self.assertIn(f" {run['mean_spp']:.1f} ", out)
+            self.assertGreater(run["mean_spp"], 1)
+            self.assertEqual(run["spp"], round(run["mean_spp"]))
+            self.assertGreaterEqual(run["render_seconds"], 0.1)
+        self.assertIn("samples/pixel", out)
+        self.assertGreater(result["reference"]["render_seconds"], 1.6)
+        self.assertGreater(result["reference"]["spp"], result["runs"][0]["spp"])
+        self.assertIn(f"optimized, {result['reference']['spp']} spp", out)
+        self.photopic(*compare, "--spp", "1", "--reference-spp", "8")
+        result = self.read_json("c.json")
+        self.assertEqual([run["mean_spp"] for run in result["runs"]], [1, 1])
+        self.assertEqual(result["reference"]["spp"], 8)
+
     def test_diff_measures_with_the_same_whites(self):
         self.photopic("render", self.scene, "-o", "r.exr", "--sampler", "uniform", "--spp", "8", "--seed", "9", "--quiet")
         errors = []

@@ -167,6 +167,25 @@ TEST_F(GltfTest, SoundSolidGlassIsNotWarnedOf) {
   expect_quiet(seam);
 }
 
+TEST_F(GltfTest, SolidGlassThatAlphaUncoversIsWarnedOf) {
+  const auto warnings_of = [&](const std::string& more, double alpha, bool solid = true) {
+    const std::string material = fmt::format(
+        R"({{"name": "lens", {}, "pbrMetallicRoughness": {{"metallicFactor": 0, "baseColorFactor": [1, 1, 1, {}]}},
+        "extensions": {{"KHR_materials_transmission": {{"transmissionFactor": 1}}}}}})",
+        more, alpha);
+    return load(tetrahedron(material).str(), {.solid_glass = solid}).warnings;
+  };
+  const std::string blend = R"("alphaMode": "BLEND")", mask = R"("alphaMode": "MASK")";
+  const std::vector<std::string> warnings = warnings_of(blend, 0.9);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_NE(warnings[0].find("the solid glass \"lens\" has alpha"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("alphaMode to OPAQUE"), std::string::npos) << warnings[0];
+  EXPECT_EQ(warnings_of(mask, 0.4).size(), 1u);
+  for (const auto& covered : {warnings_of(blend, 1), warnings_of(mask, 0.5), warnings_of(blend, 0.9, false),
+                              warnings_of(R"("alphaMode": "OPAQUE")", 0.5)})
+    EXPECT_EQ(covered, std::vector<std::string>());
+}
+
 TEST_F(GltfTest, WhatGlassDoesNotWearIsWarnedOf) {
   SquareFile file;
   const auto warnings_of = [&](const std::string& pbr, double transmission) {
@@ -189,6 +208,28 @@ TEST_F(GltfTest, WhatGlassDoesNotWearIsWarnedOf) {
       "KHR_materials_sheen": {"sheenColorFactor": [1, 1, 1]}}, "pbrMetallicRoughness": {"metallicFactor": 0}}])";
   EXPECT_EQ(load(file.str()).warnings,
             std::vector<std::string>{"material 0: its glass is rendered without sheen"});
+}
+
+TEST_F(GltfTest, AttenuationUnderDiffuseTransmissionIsWarnedOfOnce) {
+  SquareFile file;
+  const auto warnings_of = [&](const std::string& volume, const std::string& more = "") {
+    const std::string material = fmt::format(
+        R"({{"name": "wax", "extensions": {{"KHR_materials_diffuse_transmission": {{"diffuseTransmissionFactor": 1}},
+        "KHR_materials_volume": {{{}}}{}}}}})",
+        volume, more);
+    file.materials = fmt::format("[{0}, {0}]", material);
+    return load(file.str()).warnings;
+  };
+  const std::string color = R"("thicknessFactor": 1, "attenuationDistance": 0.1, "attenuationColor": )";
+  const std::vector<std::string> warnings = warnings_of(color + "[0.9, 0.5, 0.1]");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_TRUE(warnings[0].starts_with("material \"wax\" and 1 more: KHR_materials_volume ")) << warnings[0];
+  EXPECT_EQ(warnings_of(color + "[0.1, 0.1, 0.1]").size(), 1u);
+  for (const auto& nothing_ignored :
+       {warnings_of(R"("thicknessFactor": 1)"), warnings_of(color + "[1, 1, 1]"),
+        warnings_of(R"("attenuationDistance": 0.1, "attenuationColor": [0.1, 0.1, 0.1])"),
+        warnings_of(color + "[0.1, 0.1, 0.1]", R"(, "KHR_materials_unlit": {})")})
+    EXPECT_EQ(nothing_ignored, std::vector<std::string>());
 }
 
 TEST_F(GltfTest, WrongExtrasOfGlassAreRefused) {

@@ -220,6 +220,43 @@ TEST_F(GltfTest, OddButValidFilesLoadWithAWarning) {
   SquareFile optional;
   optional.more = R"(, "extensionsUsed": ["XX_unheard_of", "XX_unheard_of", "KHR_materials_variants"])";
   EXPECT_EQ(load(optional.str()).warnings.size(), 1u);
+
+  // Whether they are declared, and how often they are there, is all the same.
+  optional.materials = R"([{"extensions": {"XX_unheard_of": {}, "KHR_materials_ior": {}, "XX_undeclared": {}},
+      "extras": {"extensions": {"XX_of_others": {}}}}, {"extensions": {"XX_undeclared": {"deep": 1}}}])";
+  EXPECT_EQ(load(optional.str()).warnings,
+            (std::vector<std::string>{"the extension XX_undeclared is ignored",
+                                      "the extension XX_unheard_of is ignored"}));
+}
+
+TEST_F(GltfTest, CompressedGeometryIsRefusedUnlessItIsThereUncompressedToo) {
+  SquareFile draco;
+  draco.primitive +=
+      R"(, "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}})";
+  EXPECT_EQ(load(draco.str()).geometry.triangles.size(), 2u);
+  draco.accessors.replace(draco.accessors.find(R"("bufferView": 1,)"), 16, "");
+  const std::string refused = refusal(draco.str());
+  EXPECT_NE(refused.find("#/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression: "),
+            std::string::npos)
+      << refused;
+  EXPECT_NE(refused.find("Draco"), std::string::npos) << refused;
+  EXPECT_NE(refused.find("export it without compression"), std::string::npos) << refused;
+
+  SquareFile meshopt;
+  for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    meshopt.views = fmt::format(
+        R"({{"buffer": 0, "byteLength": 48, "extensions": {{"{}": {{"buffer": 0, "count": 4}}}}}}, )"
+        R"({{"buffer": 0, "byteOffset": 48, "byteLength": 12}})",
+        name);
+    EXPECT_EQ(load(meshopt.str()).geometry.triangles.size(), 2u);
+    std::string text = meshopt.str();
+    text.replace(text.find(R"(, "uri": )"),
+                 meshopt.buffer().size() - meshopt.buffer().find(", \"uri\": ") - 1, "");
+    const std::string without_fallback = refusal(text);
+    EXPECT_NE(without_fallback.find(fmt::format("#/bufferViews/0: it is compressed by {}", name)),
+              std::string::npos)
+        << without_fallback;
+  }
 }
 
 /// What the specification forbids though all readers agree on what it means.

@@ -55,16 +55,28 @@ bool is_index_type(int type) {
          type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
+/// Of a buffer that has no uri, as a fallback for compressed data may.
+[[noreturn]] void refuse_without_bytes(const GltfDocument& document, int view) {
+  const tinygltf::BufferView& source = document.model.bufferViews[view];
+  for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+    if (source.extensions.contains(name))
+      document.fail(
+          fmt::format("/bufferViews/{}", view),
+          fmt::format("it is compressed by {}, which cannot be read, and the file holds it in no other "
+                      "way",
+                      name),
+          "export it without compression");
+  document.fail(fmt::format("/buffers/{}", source.buffer), "it has no uri, so there are no bytes to read",
+                "export the file again with its buffers");
+}
+
 /// The bytes from a view's offset on; nothing for the view that stands for none.
 const std::byte* view_bytes(const GltfDocument& document, int view, std::size_t offset) {
   const auto& views = document.model.bufferViews;
   if (static_cast<std::size_t>(view) + 1 == views.size()) return nullptr;
-  const auto buffer = static_cast<std::size_t>(views[view].buffer);
-  if (document.buffers[buffer].empty()) {
-    document.fail(fmt::format("/buffers/{}", buffer), "it has no uri, so there are no bytes to read",
-                  "export the file again with its buffers");
-  }
-  return document.buffers[buffer].data() + views[view].byteOffset + offset;
+  const auto& bytes = document.buffers[static_cast<std::size_t>(views[view].buffer)];
+  if (bytes.empty()) refuse_without_bytes(document, view);
+  return bytes.data() + views[view].byteOffset + offset;
 }
 
 /// Calls `store(i, bytes)` for every element that the file gives bytes for, substitutions last.

@@ -75,6 +75,19 @@ std::vector<std::filesystem::path> named_files(const GltfDocument& document, con
   return files;
 }
 
+/// The names of all that stands in "extensions", declared or not. What is in `extras` is others'.
+void find_extensions(const Json& value, std::set<std::string>& names) {
+  if (value.is_array())
+    for (const Json& element : value) find_extensions(element, names);
+  if (!value.is_object()) return;
+  for (const auto& [key, member] : value.items()) {
+    if (key == "extras") continue;
+    if (key == "extensions" && member.is_object())
+      for (const auto& extension : member.items()) names.insert(extension.key());
+    find_extensions(member, names);
+  }
+}
+
 /// Nodes that give their place in two ways, which they must not (glTF 2.0, section 3.5.3). Other readers take
 /// the matrix, as tinygltf does.
 std::size_t count_double_transforms(const Json& json) {
@@ -135,6 +148,9 @@ GltfDocument read_gltf_document(std::vector<char> bytes, const std::filesystem::
   load_buffers(document, json);
   document.images = list_images(json);
   document.named_files = named_files(document, json);
+  if (json.contains("extensionsUsed"))
+    document.extensions = json.at("extensionsUsed").get<std::set<std::string>>();
+  find_extensions(json, document.extensions);
   if (json.contains("animations")) document.animation_count = json.at("animations").size();
   document.double_transforms = count_double_transforms(json);
   document.file.json = {};

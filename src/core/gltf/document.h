@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,6 +35,7 @@ struct GltfDocument {
   std::vector<std::filesystem::path>
       named_files;  ///< by buffers, images and extras' spectra; some may not exist
 
+  std::set<std::string> extensions;  ///< those declared and those that objects have
   std::size_t animation_count = 0;
   std::size_t double_transforms = 0;  ///< nodes with a matrix, which `model` has, beside other members
 

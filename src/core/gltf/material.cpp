@@ -132,15 +132,37 @@ std::string missing_on_glass(const MaterialExtensions& x) {
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
+std::string name_of(const Scene& scene, std::size_t material) {
+  const std::string& name = scene.materials[material].name;
+  return name.empty() ? std::to_string(material) : fmt::format("\"{}\"", name.substr(0, 60));
+}
+
 void warn_of_bare_glass(const GltfDocument& document, Scene& scene) {
   for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
     const Material& material = scene.materials[i];
     const std::string missing = missing_on_glass(material.extensions);
     if (missing.empty() || !has_glass(document.model.materials[i], material)) continue;
-    const std::string name =
-        material.name.empty() ? std::to_string(i) : fmt::format("\"{}\"", material.name.substr(0, 60));
-    scene.warnings.push_back(fmt::format("material {}: its glass is rendered without {}", name, missing));
+    scene.warnings.push_back(
+        fmt::format("material {}: its glass is rendered without {}", name_of(scene, i), missing));
   }
+}
+
+/// What diffuse transmission lets in goes straight on to the next surface: there is no subsurface scattering.
+bool has_idle_attenuation(const Material& m) {
+  const auto* color = std::get_if<ConstantSpectrum>(&m.attenuation_color);
+  const bool absorbs = m.attenuation_distance > 0.0f && !m.thin_walled && !(color && color->value == 1.0);
+  return absorbs && m.extensions.diffuse_transmission > 0.0f && m.transmission < 1.0f;
+}
+
+void warn_of_idle_attenuation(Scene& scene) {
+  const auto first = std::ranges::find_if(scene.materials, has_idle_attenuation);
+  if (first == scene.materials.end()) return;
+  const auto others = std::count_if(first + 1, scene.materials.end(), has_idle_attenuation);
+  scene.warnings.push_back(fmt::format(
+      "material {}{}: KHR_materials_volume does not attenuate what is diffusely transmitted; give "
+      "diffuseTransmissionColorFactor that colour",
+      name_of(scene, static_cast<std::size_t>(first - scene.materials.begin())),
+      others > 0 ? fmt::format(" and {} more", others) : ""));
 }
 
 }  // namespace
@@ -186,6 +208,7 @@ void load_gltf_materials(const GltfDocument& document, Scene& scene) {
   scene.materials.push_back(Material{.name = "default"});
   find_vertex_colors(document, scene.materials);
   warn_of_bare_glass(document, scene);
+  warn_of_idle_attenuation(scene);
 }
 
 }  // namespace photopic

@@ -79,7 +79,25 @@ void check_weights(const JsonPlace& at, std::size_t targets) {
     weights.fail(fmt::format("there are {} weights for {} morph targets", weights.value.size(), targets));
 }
 
+/// Where Draco is optional, accessors must hold what it compresses, too.
+void check_uncompressed(const JsonPlace& at, const AttributeCheck& check) {
+  for_extension(at, "KHR_draco_mesh_compression", [&](const JsonPlace& compressed) {
+    const auto has_bytes = [&](const JsonPlace& use) {
+      const Json& accessor = check.accessor_of(use);
+      return accessor.contains("bufferView") || accessor.contains("sparse");
+    };
+    bool all = !at.has("indices") || has_bytes(at.member("indices"));
+    const JsonPlace attributes = at.member("attributes");
+    for (auto& [key, value] : attributes.value.items()) all &= has_bytes(attributes.member(key, value));
+    if (!all)
+      compressed.fail(
+          "the mesh is compressed by Draco, which cannot be read, and the file holds it in no other way",
+          "export it without compression");
+  });
+}
+
 void check_primitive(const JsonPlace& at, std::size_t targets, const AttributeCheck& check) {
+  check_uncompressed(at, check);
   const JsonPlace attributes = at.member("attributes");
   std::optional<std::uint64_t> count;
   if (attributes.has("POSITION")) count = check.accessor_of(attributes.member("POSITION")).at("count");

@@ -117,6 +117,23 @@ std::string quoted(const std::string& name) {
   return fmt::format("\"{}\"", name.substr(0, 60));
 }
 
+std::string glass_name(const Scene& scene, std::size_t material) {
+  const std::string& name = scene.materials[material].name;
+  return name.empty() ? std::to_string(material) : quoted(name);
+}
+
+/// A ray that passes a wall where alpha does not cover it is not in the glass for what it meets next.
+void warn_of_uncovered_glass(const std::vector<GlassBody>& bodies, Scene& scene) {
+  std::set<std::size_t> glasses;
+  for (const GlassBody& body : bodies)
+    if (Surface(scene.materials[body.material]).partly_covers) glasses.insert(body.material);
+  for (const std::size_t glass : glasses)
+    scene.warnings.push_back(fmt::format(
+        "the solid glass {} has alpha, and what passes an uncovered wall does not enter it, which "
+        "makes its light wrong: set alphaMode to OPAQUE, transmission lets light through already",
+        glass_name(scene, glass)));
+}
+
 }  // namespace
 
 void make_closed_glass_solid(const GltfDocument& document, const std::vector<NodeInstance>& nodes,
@@ -163,6 +180,7 @@ void warn_of_unsound_glass(const GltfDocument& document, const std::vector<NodeI
   std::vector<GlassBody> bodies;
   for (const std::uint32_t mesh : meshes_of(document, nodes, false))
     find_bodies(document, mesh, encloses, bodies);
+  warn_of_uncovered_glass(bodies, scene);
   drop_bubbles(document, nodes, bodies);
   std::map<std::pair<std::size_t, Closure>, FaultyMeshes> faults;  // by glass and by what is wrong with it
   for (const GlassBody& body : bodies)
@@ -171,12 +189,10 @@ void warn_of_unsound_glass(const GltfDocument& document, const std::vector<NodeI
   for (const auto& [glass, meshes] : faults) {
     const auto& [material, closure] = glass;
     const bool open = closure == Closure::open;
-    const std::string &name = scene.materials[material].name,
-                      &mesh = document.model.meshes[meshes.first].name;
+    const std::string& mesh = document.model.meshes[meshes.first].name;
     scene.warnings.push_back(fmt::format(
-        "the solid glass {} is {} in /meshes/{}{}{}: {}",
-        name.empty() ? std::to_string(material) : quoted(name), open ? "not closed" : "inside out",
-        meshes.first, mesh.empty() ? "" : " " + quoted(mesh),
+        "the solid glass {} is {} in /meshes/{}{}{}: {}", glass_name(scene, material),
+        open ? "not closed" : "inside out", meshes.first, mesh.empty() ? "" : " " + quoted(mesh),
         meshes.count > 1 ? fmt::format(" and {} more", meshes.count - 1) : "",
         open ? "close it, or make it thin-walled (\"solid\": false in the material's extras)"
              : "its faces look inwards; turn them (Blender: Mesh, Normals, Recalculate Outside)"));

@@ -18,8 +18,8 @@ void make_closed_glass_solid(const GltfDocument& document, const std::vector<Nod
 
 /// Tells, in one line for each material, where solid glass does not enclose a volume: its mesh has holes or
 /// faces that are turned unlike their neighbours, or all of it looks inwards (its volume, less that of its
-/// hollows, is negative) and lies in no other body of that glass, as a bubble would. The textures must have
-/// been loaded.
+/// hollows, is negative) and lies in no other body of that glass, as a bubble would; and where alpha may
+/// leave it uncovered. The textures must have been loaded.
 void warn_of_unsound_glass(const GltfDocument& document, const std::vector<NodeInstance>& nodes,
                            Scene& scene);
 

@@ -12,6 +12,9 @@ namespace {
 /// in a closed room, or a lamp in a landscape? Neither kind gets less than this share of the choices.
 constexpr double kLeastShare = 0.25;
 
+/// A light that is brighter than any number must be chosen, for what it does to be seen in the result.
+constexpr double kMostPower = 1e200;  // [lm]
+
 constexpr double kPiD = std::numbers::pi;
 
 /// The factor on unbounded lights that keeps both shares.
@@ -97,7 +100,7 @@ LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Su
 LightSampler::Powers LightSampler::list_powers(double radius) const {
   Powers powers;
   const auto add = [&](double power, int spectrum) {
-    powers.power.push_back(power), powers.spectrum.push_back(spectrum);
+    powers.power.push_back(std::min(power, kMostPower)), powers.spectrum.push_back(spectrum);
   };
   for (std::uint32_t i = 0; i < area_lights_.list().size(); ++i)
     add(area_lights_.power(i), area_lights_.emission(area_lights_.list()[i]).spectrum);
