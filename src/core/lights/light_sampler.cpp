@@ -153,6 +153,7 @@ void LightSampler::make_group(Group& group, std::span<const std::uint32_t> membe
       group.intensity += bounds.back().intensity;
     }
     group.tree = LightTree(bounds, names);
+    if (names.size() == 1) group.lights[entry] = names[0];
   }
   for (const std::uint32_t i : members)
     if (group.tree.empty() || is_unbounded(i)) places_[i] = {add_entry(i, weight[i]), 0};

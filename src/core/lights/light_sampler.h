@@ -66,8 +66,8 @@ class LightSampler {
   /// them.
   struct Group {
     AliasTable table;
-    std::vector<std::uint32_t> lights;  ///< of each entry of the table; kNoLight: the tree
-    LightTree tree;
+    std::vector<std::uint32_t> lights;       ///< of each entry of the table; kNoLight: the tree
+    LightTree tree;                          ///< of one light, too, which is an entry of its own
     float intensity = 0.0f;                  ///< of the tree's lights, in one unit for all groups
     float bounded = 0.0f, unbounded = 0.0f;  ///< shares of the choices, by power
   };

@@ -15,6 +15,9 @@ constexpr float kSmall2 = 0.06f;
 /// of the cost.
 constexpr double kLeastCost = 1e-6;
 
+/// Parts of a tree that tell what all of it may send to a place: more would cost more than they tell.
+constexpr std::size_t kOverview = 4;
+
 }  // namespace
 
 LightBranch<float> LightTree::Node::branch(std::uint32_t i) const {
@@ -37,15 +40,15 @@ struct LightTree::Build {
 
   /// Opens the costliest until the node is full, but below the root none that fills a node of its own: full
   /// nodes are few nodes.
-  std::vector<LightCluster> branches(const LightCluster& all, bool root) const {
-    if (all.members.size() <= kWidth) return singles(all.members);
+  std::vector<LightCluster> branches(const LightCluster& all, bool root, std::size_t width = kWidth) const {
+    if (all.members.size() <= width) return singles(all.members);
     std::vector<LightCluster> list{all};
     const auto opens = [&](const LightCluster& c) {
       if (!root) return c.members.size() > kWidth;
       return c.members.size() > 1 && c.cost >= kLeastCost * all.cost;
     };
     const auto cost = [&](const LightCluster& c) { return opens(c) ? c.cost : -1.0; };
-    while (list.size() < kWidth) {
+    while (list.size() < width) {
       const auto costliest =
           std::max_element(list.begin(), list.end(),
                            [&](const LightCluster& a, const LightCluster& b) { return cost(a) < cost(b); });
@@ -98,7 +101,13 @@ LightTree::LightTree(const std::vector<LightBounds>& lights, std::span<const std
     std::uint32_t node;
     LightCluster cluster;
   };
-  std::vector<Pending> pending{{0, LightCluster(lights, order)}};
+  const LightCluster all(lights, order);
+  for (const LightCluster& part : build.branches(all, true, kOverview)) {
+    Node node;
+    build.fill(node, 0, part);
+    overview_.push_back(node.branch(0));
+  }
+  std::vector<Pending> pending{{0, all}};
   std::vector<std::span<const std::uint32_t>> alike;
   while (!pending.empty()) {
     const auto [node, cluster] = pending.back();

@@ -65,7 +65,8 @@ class LightTree {
   static constexpr BranchIndex kRoot = ~0u;
 
   std::vector<Node> nodes_;
-  std::uint32_t root_width_ = 0;  ///< how many branches the first has
+  std::uint32_t root_width_ = 0;              ///< how many branches the first has
+  std::vector<LightBranch<float>> overview_;  ///< of all lights in a few parts
   std::vector<Cluster> clusters_;
   std::vector<std::uint32_t> lights_in_order_;  ///< their names, so that each branch's stand together
   std::vector<BranchIndex> place_of_node_;      ///< in its parent

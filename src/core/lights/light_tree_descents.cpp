@@ -129,7 +129,7 @@ void LightTree::Descents::draw_by_intensity() const {
 
 Lanes LightTree::total_importance(const BasicLightReference<Lanes>& at) const {
   Lanes total{};
-  for (std::uint32_t i = 0; i < root_width_; ++i) total += importance(nodes_[0].branch(i), at);
+  for (const LightBranch<float>& part : overview_) total += importance(part, at);
   return total;
 }
 
