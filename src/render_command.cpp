@@ -20,9 +20,6 @@
 namespace photopic {
 namespace {
 
-/// Samples a pixel at which render() first looks at the error that --target-error limits.
-constexpr int kFirstJudged = 32;
-
 /// Wall-clock seconds of everything but the render itself.
 struct PhaseTimes {
   double load = 0, prepare = 0, optimize = 0, layers = 0, write = 0;
@@ -185,9 +182,9 @@ int run_render(const RenderArguments& arguments) {
 
   if (!arguments.json.empty())
     attempt(arguments.json, [&] { write_json(arguments, scene.scene, run, times); });
-  if (options.target_error > 0 && run.mean_spp < kFirstJudged && !run.stats.stopped)
+  if (options.target_error > 0 && run.mean_spp < kFirstLook && !run.stats.stopped)
     print_warning(fmt::format("--target-error was not judged: that takes {} samples a pixel, not {:.4g}",
-                              kFirstJudged, run.mean_spp));
+                              kFirstLook, run.mean_spp));
   const bool report = prints_report(options.quiet, arguments.json);
   if (options.stats && prints_report(false, arguments.json))
     print_out(format_stats(scene.scene, run, times));

@@ -34,6 +34,9 @@ struct RenderOptions {
   StageWatch* watch = nullptr;              ///< told of stages by every thread; for benchmarks
 };
 
+/// Samples a pixel at which RenderOptions::target_error is first looked at.
+inline constexpr int kFirstLook = 32;
+
 struct RenderStats {
   double seconds = 0;  ///< wall clock
   std::uint64_t paths = 0;

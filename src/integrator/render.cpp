@@ -21,8 +21,9 @@ constexpr int kSamplesPerPass = 16;
 /// Samples go to two films in turn where their difference is to tell the error. Aligned runs of 8 are well
 /// stratified.
 constexpr int kSamplesPerFilm = kSamplesPerPass / 2;
-constexpr int kFirstLook = 32;      ///< samples before the first estimate of the error
-constexpr double kNextLook = 1.25;  ///< how many times as many before the next: each look favours luck
+/// After kFirstLook samples how many times as many before the next estimate of the error: each look favours
+/// luck.
+constexpr double kNextLook = 1.25;
 
 /// Denormals are flushed to zero while it lives: they matter to no picture and cost a hundredfold.
 class FlushDenormals {

@@ -123,13 +123,13 @@ int best_border(const Buckets& buckets) {
   return best;
 }
 
-}  // namespace
-
+/// Whether a light shines into a cone of less than 60° about its axis alone.
 bool is_beam(const LightBounds& light) {
-  constexpr float kNarrow = 0.5f;  // cosine
   const float o = light.cos_o, e = light.cos_e;
-  return o > 0.0f && o * e - safe_sqrt(1.0f - sqr(o)) * safe_sqrt(1.0f - sqr(e)) > kNarrow;
+  return o > 0.0f && o * e - safe_sqrt(1.0f - sqr(o)) * safe_sqrt(1.0f - sqr(e)) > 0.5f;
 }
+
+}  // namespace
 
 LightBounds unite(const LightBounds& a, const LightBounds& b) {
   if (a.intensity == 0.0f) return b;

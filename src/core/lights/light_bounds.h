@@ -23,9 +23,6 @@ struct LightBounds {
   Vec3f middle() const { return (low + high) * 0.5f; }
 };
 
-/// Whether a light shines into a narrow cone alone.
-bool is_beam(const LightBounds& light);
-
 /// The smallest that holds both.
 LightBounds unite(const LightBounds& a, const LightBounds& b);
 
