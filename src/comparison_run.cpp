@@ -27,10 +27,9 @@ Reference read_reference(const Setting& setting) {
   reference.file = reference.description = setting.arguments.reference.string();
   reference.image = read_image(setting.arguments.reference);
   const Camera& camera = setting.scene.scene.camera;
-  const bool whole = reference.image.width == camera.width && reference.image.height == camera.height;
-  if (setting.window && whole) reference.image = cropped(reference.image, *setting.window);
   const PixelWindow part = setting.window.value_or(PixelWindow{0, 0, camera.width, camera.height});
   const ImageShape render{part.width(), part.height(), part.x0, part.y0, camera.width, camera.height};
+  if (auto matching = matching_part(render, reference.image)) reference.image = *std::move(matching);
   check_same_pixels(render, reference.image, reference.file);
   return reference;
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <utility>
@@ -44,13 +43,6 @@ void check_crop(const PixelWindow& window, const Camera& camera) {
 nlohmann::ordered_json crop_json(const std::optional<PixelWindow>& window) {
   if (!window) return {};
   return {window->x0, window->y0, window->x1, window->y1};
-}
-
-Image cropped(const Image& image, const PixelWindow& window) {
-  Image part(window.width(), window.height(), image.space);
-  for (int y = 0; y < part.height; ++y)
-    std::copy_n(image.at(window.x0, window.y0 + y), 3 * part.width, part.at(0, y));
-  return part;
 }
 
 void crop_layers(const PixelWindow& window, const Camera& camera, std::vector<ImageLayer>& layers) {

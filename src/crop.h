@@ -20,9 +20,6 @@ void check_crop(const PixelWindow& window, const Camera& camera);
 /// Null: no window.
 nlohmann::ordered_json crop_json(const std::optional<PixelWindow>& window);
 
-/// A part of an image. @param window inside it
-Image cropped(const Image& image, const PixelWindow& window);
-
 /// Layers of the whole picture become the window's.
 void crop_layers(const PixelWindow& window, const Camera& camera, std::vector<ImageLayer>& layers);
 

@@ -27,7 +27,7 @@ std::string window_text(const ImageShape& image) {
                      image.top + image.height);
 }
 
-std::optional<Image> matching_part(const Image& part, const Image& whole) {
+std::optional<Image> matching_part(const ImageShape& part, const Image& whole) {
   const bool inside = part.left >= 0 && part.top >= 0 && part.left + part.width <= part.full_width &&
                       part.top + part.height <= part.full_height;
   if (part.is_whole() || !whole.is_whole() || !inside || whole.width != part.full_width ||

@@ -14,7 +14,7 @@ namespace photopic {
 std::string window_text(const ImageShape& image);
 
 /// The part of `whole` that `part` says it is a window of; nothing where it says no such thing.
-std::optional<Image> matching_part(const Image& part, const Image& whole);
+std::optional<Image> matching_part(const ImageShape& part, const Image& whole);
 
 /// @throws InputError when `image` (called `name`) has another size than the reference, or both tell which
 /// window of a picture they are, and it is another

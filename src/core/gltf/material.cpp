@@ -132,18 +132,13 @@ std::string missing_on_glass(const MaterialExtensions& x) {
   return fmt::format("{}", fmt::join(names, " and "));
 }
 
-std::string name_of(const Scene& scene, std::size_t material) {
-  const std::string& name = scene.materials[material].name;
-  return name.empty() ? std::to_string(material) : fmt::format("\"{}\"", name.substr(0, 60));
-}
-
 void warn_of_bare_glass(const GltfDocument& document, Scene& scene) {
   for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
     const Material& material = scene.materials[i];
     const std::string missing = missing_on_glass(material.extensions);
     if (missing.empty() || !has_glass(document.model.materials[i], material)) continue;
     scene.warnings.push_back(
-        fmt::format("material {}: its glass is rendered without {}", name_of(scene, i), missing));
+        fmt::format("material {}: its glass is rendered without {}", quoted_name(scene, i), missing));
   }
 }
 
@@ -161,7 +156,7 @@ void warn_of_idle_attenuation(Scene& scene) {
   scene.warnings.push_back(fmt::format(
       "material {}{}: KHR_materials_volume does not attenuate what is diffusely transmitted; give "
       "diffuseTransmissionColorFactor that colour",
-      name_of(scene, static_cast<std::size_t>(first - scene.materials.begin())),
+      quoted_name(scene, static_cast<std::size_t>(first - scene.materials.begin())),
       others > 0 ? fmt::format(" and {} more", others) : ""));
 }
 
@@ -199,6 +194,11 @@ std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, std:
   const tinygltf::Material& material = document.model.materials[index];
   return extras_spectrum(document, material.extras, fmt::format("/materials/{}", index),
                          "of material " + material.name, key, beyond);
+}
+
+std::string quoted_name(const Scene& scene, std::size_t material) {
+  const std::string& name = scene.materials[material].name;
+  return name.empty() ? std::to_string(material) : fmt::format("\"{}\"", name.substr(0, 60));
 }
 
 void load_gltf_materials(const GltfDocument& document, Scene& scene) {

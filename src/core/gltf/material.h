@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/gltf/document.h"
 #include "core/scene.h"
@@ -24,6 +25,9 @@ std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, std:
 std::optional<ExtrasSpectrum> extras_spectrum(const GltfDocument& document, const tinygltf::Value& extras,
                                               const std::string& pointer, const std::string& owner,
                                               const char* key, Beyond beyond);
+
+/// What messages call a material: its name in quotation marks, or its number.
+std::string quoted_name(const Scene& scene, std::size_t material);
 
 /// A linear sRGB colour as a reflectance; greys are constant, exactly.
 Spectrum reflectance_from_rgb(const Rgb& color);

@@ -10,6 +10,7 @@
 
 #include "core/gltf/closure.h"
 #include "core/gltf/instancing.h"
+#include "core/gltf/material.h"
 #include "core/surface.h"
 
 namespace photopic {
@@ -117,11 +118,6 @@ std::string quoted(const std::string& name) {
   return fmt::format("\"{}\"", name.substr(0, 60));
 }
 
-std::string glass_name(const Scene& scene, std::size_t material) {
-  const std::string& name = scene.materials[material].name;
-  return name.empty() ? std::to_string(material) : quoted(name);
-}
-
 /// A ray that passes a wall where alpha does not cover it is not in the glass for what it meets next.
 void warn_of_uncovered_glass(const std::vector<GlassBody>& bodies, Scene& scene) {
   std::set<std::size_t> glasses;
@@ -131,7 +127,7 @@ void warn_of_uncovered_glass(const std::vector<GlassBody>& bodies, Scene& scene)
     scene.warnings.push_back(fmt::format(
         "the solid glass {} has alpha, and what passes an uncovered wall does not enter it, which "
         "makes its light wrong: set alphaMode to OPAQUE, transmission lets light through already",
-        glass_name(scene, glass)));
+        quoted_name(scene, glass)));
 }
 
 }  // namespace
@@ -191,7 +187,7 @@ void warn_of_unsound_glass(const GltfDocument& document, const std::vector<NodeI
     const bool open = closure == Closure::open;
     const std::string& mesh = document.model.meshes[meshes.first].name;
     scene.warnings.push_back(fmt::format(
-        "the solid glass {} is {} in /meshes/{}{}{}: {}", glass_name(scene, material),
+        "the solid glass {} is {} in /meshes/{}{}{}: {}", quoted_name(scene, material),
         open ? "not closed" : "inside out", meshes.first, mesh.empty() ? "" : " " + quoted(mesh),
         meshes.count > 1 ? fmt::format(" and {} more", meshes.count - 1) : "",
         open ? "close it, or make it thin-walled (\"solid\": false in the material's extras)"
