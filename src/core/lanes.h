@@ -35,6 +35,9 @@ inline bool select(bool condition, bool a, bool b) {
 inline IntLanes select(IntLanes condition, IntLanes a, IntLanes b) {
   return condition ? a : b;
 }
+inline std::int32_t select(bool condition, std::int32_t a, std::int32_t b) {
+  return condition ? a : b;
+}
 
 /// What comparisons of T give.
 template <typename T>
@@ -223,6 +226,25 @@ inline Lanes gather(const float* from, const Packet& packet) {
 inline UintLanes gather(const std::uint32_t* from, const Packet& packet) {
   UintLanes r;
   for (int i = 0; i < kLanes; ++i) r[i] = from[packet[i]];
+  return r;
+}
+
+/// Whole numbers beside T: std::int32_t or IntLanes.
+template <typename T>
+using IndexOf = decltype(to_int(T{}));
+
+template <typename Number>
+Number gather(const Number* from, std::int32_t index) {
+  return from[index];
+}
+inline Lanes gather(const float* from, IntLanes index) {
+  Lanes r;
+  for (int i = 0; i < kLanes; ++i) r[i] = from[index[i]];
+  return r;
+}
+inline IntLanes gather(const std::int32_t* from, IntLanes index) {
+  IntLanes r;
+  for (int i = 0; i < kLanes; ++i) r[i] = from[index[i]];
   return r;
 }
 

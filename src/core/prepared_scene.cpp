@@ -5,6 +5,7 @@
 #include "core/bsdf/fresnel_albedo.h"
 #include "core/bsdf/sheen.h"
 #include "core/rough_glass.h"
+#include "core/sky_survey.h"
 #include "core/touching.h"
 #include "spectral/lamp_set.h"
 #include "spectral/rgb_light.h"
@@ -47,7 +48,8 @@ PreparedScene::PreparedScene(Scene source)
       quads(Quads::pair_where_worth(scene.geometry)),
       touching(touching_triangles(scene.geometry, surfaces)),
       accel(scene.geometry, surfaces, quads.get(), !touching.empty()),
-      lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces) {
+      lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces,
+             survey_sky(scene, accel, surfaces)) {
   scene.geometry.normals.reserve(scene.geometry.normals.size() + 1);  // surface_points reads a number more
   for (const Shape& shape : scene.geometry.shapes)
     shapes.push_back(traits_of(shape, surfaces[shape.material], touching));

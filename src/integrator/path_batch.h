@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -54,7 +55,8 @@ struct PathBatch {
         media(has_media(scene) ? capacity : 0),
         vertex(capacity),
         normal(scene.lights.uses_normals() ? capacity : 0),
-        spectrum_choice(scene.lights.several_spectra() ? capacity * emission.count() : 0),
+        groups(scene.lights.group_count()),
+        group_choice(groups > 1 ? capacity * groups : 0),
         tints(scene.scene.environment ? capacity : 0),
         shadow_rays(capacity),
         shadow_radiance(capacity),
@@ -70,11 +72,10 @@ struct PathBatch {
     return gather_spectra<N>([&](int i) { return &wavelengths[packet[i]].lambda; });
   }
 
-  /// The probabilities of each spectrum's lights at the slot's last vertex; empty where there is one
-  /// spectrum.
-  std::span<float> spectra_of(std::uint32_t slot) {
-    if (spectrum_choice.empty()) return {};
-    return std::span(spectrum_choice).subspan(slot * emission.count(), emission.count());
+  /// The probabilities of each group of lights at the slot's last vertex; empty where there is one group.
+  std::span<float> groups_of(std::uint32_t slot) {
+    if (group_choice.empty()) return {};
+    return std::span(group_choice).subspan(slot * groups, groups);
   }
 
   /// What bounds the medium in front of the surface that was hit, or null.
@@ -84,7 +85,8 @@ struct PathBatch {
 
   /// The slot's last vertex as the lights see it.
   LightReference vertex_of(std::uint32_t slot) const {
-    return {vertex[slot], normal.empty() ? Vec3f{} : normal[slot]};
+    if (normal.empty()) return {vertex[slot], {}};
+    return {vertex[slot], normal[slot], std::bit_cast<std::int32_t>(normal.w(slot))};
   }
 
   // The path so far.
@@ -102,8 +104,9 @@ struct PathBatch {
   /// The last vertex's position [m] (where rays start is a little off it), and the density of the direction
   /// in which the path went on from there [1/sr]; 0: it was a delta, or the camera's.
   RowArray vertex;
-  RowArray normal;                     ///< of the last vertex, where lights are chosen by it
-  std::vector<float> spectrum_choice;  ///< see spectra_of
+  RowArray normal;  ///< of the last vertex, and bits of its view of the sky, where lights are chosen by them
+  std::size_t groups;                  ///< of lights
+  std::vector<float> group_choice;     ///< see groups_of
   std::vector<SampledTints<N>> tints;  ///< for the environment's colours
 
   // Light samples of this depth.

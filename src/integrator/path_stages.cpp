@@ -121,7 +121,7 @@ void PathTracer<N, kHas>::escape() {
                 std::numeric_limits<float>::infinity());
     if (const float pdf = batch_.vertex.w(slot); pdf != 0.0f)
       arriving *= power_heuristic(
-          pdf, scene_.lights.environment_pdf(batch_.vertex_of(slot), batch_.spectra_of(slot), direction));
+          pdf, scene_.lights.environment_pdf(batch_.vertex_of(slot), batch_.groups_of(slot), direction));
     batch_.radiance[slot] += arriving;
   }
 }
@@ -142,7 +142,7 @@ void PathTracer<N, kHas>::absorb_and_emit() {
     if (!surface.double_sided && !meets_front(geometry, hit, batch_.rays.direction[slot])) continue;
     float weight = surface.emission_luminance;
     if (const float pdf = batch_.vertex.w(slot); pdf != 0.0f)
-      weight *= power_heuristic(pdf, scene_.lights.pdf(batch_.vertex_of(slot), batch_.spectra_of(slot),
+      weight *= power_heuristic(pdf, scene_.lights.pdf(batch_.vertex_of(slot), batch_.groups_of(slot),
                                                        hit.shape, hit.triangle, hit.t));
     SampledSpectrum<N> emitted = batch_.emission(slot, surface.emission_spectrum);
     if (kHas.textures && surface.emission_varies)

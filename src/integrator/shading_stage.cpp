@@ -49,17 +49,19 @@ std::uint64_t ShadingStage<N, kHas>::shade(PathBatch<N>& batch, BsdfKind kind, i
   return split;
 }
 
-/// Where lights differ in spectrum: what those of each may add to this path.
+/// What each group of lights may add to this path.
 template <int N, Features kHas>
-std::span<const float> ShadingStage<N, kHas>::weigh_spectra(PathBatch<N>& batch, std::uint32_t slot,
-                                                            const LightSampler::GroupShares& shares,
-                                                            int lane) const {
-  const std::span<float> spectra = batch.spectra_of(slot);
+std::span<const float> ShadingStage<N, kHas>::weigh_groups(PathBatch<N>& batch, std::uint32_t slot,
+                                                           const LightSampler::GroupShares& shares,
+                                                           int lane) const {
+  const std::span<float> groups = batch.groups_of(slot);
   const SampledSpectrum<N> importance = batch.throughput[slot] * batch.wavelengths[slot].importance();
-  for (std::size_t k = 0; k < spectra.size(); ++k)
-    spectra[k] = (importance * batch.emission(slot, static_cast<int>(k))).sum();
-  scene_.lights.spectrum_probabilities(spectra, shares, lane);
-  return spectra;
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const int spectrum = scene_.lights.spectrum_of(k);
+    groups[k] = spectrum < 0 ? 1.0f : (importance * batch.emission(slot, spectrum)).sum();
+  }
+  scene_.lights.group_probabilities(groups, shares, lane);
+  return groups;
 }
 
 /// What varies over a lamp, at the point that was chosen.
@@ -85,18 +87,19 @@ LightSampleLanes ShadingStage<N, kHas>::choose_lights(PathBatch<N>& batch, const
     scene_.lights.sample_only_light(vertices.point.position, u, lights);
     return lights;
   }
-  LightReferenceLanes at{.position = vertices.point.position,
-                         .normal = {},
-                         .spectra = {},
+  LightReferenceLanes at{.place = {vertices.point.position, {}},
+                         .groups = {},
                          .u_choice = SampleStream::fine(stream.bits(bounce_dimension(depth, kLightChoice))),
                          .u = u,
                          .count = packet.count};
-  if (!Bsdf::kLitFromBehind) at.normal = vertices.frame.n;
-  if (scene_.lights.uses_normals()) batch.normal.scatter(packet, rows_of(at.normal));
-  if (scene_.lights.several_spectra()) {
-    const LightSampler::GroupShares shares = scene_.lights.group_shares({at.position, at.normal});
+  if (!Bsdf::kLitFromBehind) at.place.normal = vertices.frame.n;
+  if (scene_.lights.views_differ()) at.place.view = scene_.lights.view_at(at.place);
+  if (scene_.lights.uses_normals())
+    batch.normal.scatter(packet, rows_of(at.place.normal, std::bit_cast<Lanes>(at.place.view)));
+  if (scene_.lights.several_groups()) {
+    const LightSampler::GroupShares shares = scene_.lights.group_shares(at.place);
     for (int i = 0; i < packet.count; ++i)
-      at.spectra[static_cast<std::size_t>(i)] = weigh_spectra(batch, packet[i], shares, i);
+      at.groups[static_cast<std::size_t>(i)] = weigh_groups(batch, packet[i], shares, i);
   }
   scene_.lights.sample(at, lights);
   return lights;
@@ -128,13 +131,16 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
   const SpectrumLanes<N> arriving = gather(batch.throughput.data(), packet) * value.f_cos *
                                     batch.emission.gather(packet, lights.spectrum) * weight;
   const LaneSpectra<N> by_path = by_lane(arriving);
+  Vec3Lanes colors{};
+  if (kHas.environment && any(lights.environment))
+    colors = scene_.scene.environment->radiance(lights.direction);
   for_each_lane((value.pdf != 0.0f) & ~arriving.is_black(), [&](int i) {
     const std::uint32_t slot = packet[i];
     const auto k = static_cast<std::size_t>(i);
     SampledSpectrum<N>& radiance = batch.shadow_radiance[slot];
     radiance = by_path[k];
     if (kHas.environment && lane(lights.environment, i)) {
-      const Vec3f rgb = scene_.scene.environment->radiance(lane(lights.direction, i));
+      const Vec3f rgb = lane(colors, i);
       radiance *= batch.tints[slot](rgb.x, rgb.y, rgb.z);
     }
     if (kHas.textures && lane(lights.material, i) != kNoMaterial)

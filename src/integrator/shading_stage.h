@@ -23,8 +23,8 @@ class ShadingStage {
  private:
   template <typename Bsdf>
   std::uint64_t shade(PathBatch<N>& batch, BsdfKind kind, int depth);
-  std::span<const float> weigh_spectra(PathBatch<N>& batch, std::uint32_t slot,
-                                       const LightSampler::GroupShares& shares, int lane) const;
+  std::span<const float> weigh_groups(PathBatch<N>& batch, std::uint32_t slot,
+                                      const LightSampler::GroupShares& shares, int lane) const;
   SampledSpectrum<N> lamp_tint(const PathBatch<N>& batch, std::uint32_t slot, std::uint32_t material,
                                std::uint32_t triangle, Vec3f position) const;
   template <typename Bsdf>

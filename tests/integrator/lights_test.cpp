@@ -178,6 +178,48 @@ TEST(EnvironmentLight, Furnace) {
   }
 }
 
+/// A floor in a black box, under a hole of 0.2 × 0.2 m in its ceiling 1 m above. @param lamp_luminance of a
+/// lamp beside the hole [cd/m²]
+Scene floor_under_a_hole(double lamp_luminance) {
+  SceneBuilder b;
+  const auto grey = b.material(diffuse(ConstantSpectrum{0.5})),
+             black = b.material(diffuse(ConstantSpectrum{0.0}));
+  b.floor({0, 0, 0}, 2, 2, grey);
+  for (const double side : {-1.0, 1.0}) {
+    b.ceiling({1.05 * side, 0, 1}, 0.95, 2, black);
+    b.ceiling({0, 1.05 * side, 1}, 0.1, 0.95, black);
+    b.quad({2 * side, -2, 0}, {2 * side, 2, 0}, {2 * side, 2, 1}, {2 * side, -2, 1}, black);
+    b.quad({-2, 2 * side, 0}, {2, 2 * side, 0}, {2, 2 * side, 1}, {-2, 2 * side, 1}, black);
+  }
+  b.ceiling({0.3, 0, 0.99}, 0.1, 0.1, b.lamp(d65(), lamp_luminance));
+  b.camera({0, 0, 0.9}, {0, 0, 0}, 2, 4, 4);
+  return b.build();
+}
+
+/// ∫ cos θ dω over a square that lies parallel to the floor, 1 m above: contour integral of a polygon
+/// (Arvo 1995, equation 2.10).
+double square_overhead(double x0, double x1, double y0, double y1) {
+  const Vec3d corner[] = {{x0, y0, 1}, {x1, y0, 1}, {x1, y1, 1}, {x0, y1, 1}};
+  double sum = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    const Vec3d a = normalize(corner[i]), b = normalize(corner[(i + 1) % 4]), n = normalize(cross(a, b));
+    sum += 0.5 * std::acos(dot(a, b)) * n.z;
+  }
+  return std::abs(sum);
+}
+
+/// Sky through a small hole is found as surely as a lamp is; where none is seen, lamps are.
+TEST(EnvironmentLight, IsLookedForWhereItIsSeen) {
+  const double hole = square_overhead(-0.1, 0.1, -0.1, 0.1), lamp = square_overhead(0.2, 0.4, -0.1, 0.1);
+  for (const double lamp_luminance : {0.0, 5.0}) {
+    Scene scene = floor_under_a_hole(lamp_luminance);
+    scene.environment = std::make_shared<const Environment>(constant_sky(3.0f, 0));
+    // Looking everywhere would leave an error of 0.1.
+    expect_luminance(render_finite(PreparedScene(scene), 4000, 2),
+                     0.5 / kPiD * (3.0 * hole + lamp_luminance * lamp), "hole", 1e-3);
+  }
+}
+
 /// Every pixel of a coloured picture, seen directly, reads its own linear sRGB, whatever the samples.
 TEST(EnvironmentLight, ColoursAreKept) {
   for (const Rgb& rgb : {Rgb{1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {4, 4, 4}, {0.2, 0.5, 0.9}, {30, 20, 1}}) {
@@ -255,7 +297,7 @@ TEST(ManyLights, Oracle) {
   const PreparedScene scene(many_lights([](SceneBuilder& b) {
     return std::vector{b.lamp(fl11(), 10), b.lamp(BlackbodySpectrum{2700}, 20), b.lamp(d65(), 5, true)};
   }));
-  EXPECT_TRUE(scene.lights.several_spectra());
+  EXPECT_TRUE(scene.lights.several_groups());
   EXPECT_TRUE(scene.lights.uses_normals());
   for (const WavelengthSampler& s :
        {all_samplers(scene_emission(scene))[0], all_samplers(scene_emission(scene))[3]}) {
@@ -275,7 +317,7 @@ TEST(ManyLights, OfManyColors) {
       lamps.push_back(b.lamp(BlackbodySpectrum{1500.0 + 300.0 * k}, 10, k % 3 == 0));
     return lamps;
   }));
-  EXPECT_FALSE(scene.lights.several_spectra());
+  EXPECT_FALSE(scene.lights.several_groups());
   const WavelengthSampler sampler = all_samplers(scene_emission(scene))[3];
   RenderOptions o{.spp = 700, .sequence = Sequence::independent, .seed = 5, .max_depth = 6};
   const RenderResult clever = render(scene, sampler, o);

@@ -41,11 +41,10 @@ inline std::optional<LightSample> lane_of(const LightSampleLanes& s, int i) {
 // One at a time what the code under test does for many.
 
 inline std::optional<LightSample> sample_one(const LightSampler& lights, const LightReference& at,
-                                             std::span<const float> spectra, double u_choice, Sample2d u) {
+                                             std::span<const float> groups, double u_choice, Sample2d u) {
   LightSampleLanes samples;
-  lights.sample({.position = broadcast<Lanes>(at.position),
-                 .normal = broadcast<Lanes>(at.normal),
-                 .spectra = {spectra},
+  lights.sample({.place = {broadcast<Lanes>(at.position), broadcast<Lanes>(at.normal), IntLanes{} + at.view},
+                 .groups = {groups},
                  .u_choice = DoubleLanes{} + u_choice,
                  .u = {Lanes{} + u.x, Lanes{} + u.y},
                  .count = 1},
@@ -53,11 +52,12 @@ inline std::optional<LightSample> sample_one(const LightSampler& lights, const L
   return lane_of(samples, 0);
 }
 
-/// @param brightness of each spectrum
-inline std::vector<float> spectrum_probabilities(const LightSampler& lights, const LightReference& at,
-                                                 std::vector<float> brightness) {
-  const auto shares = lights.group_shares({broadcast<Lanes>(at.position), broadcast<Lanes>(at.normal)});
-  lights.spectrum_probabilities(brightness, shares, 0);
+/// @param brightness of each group's spectrum
+inline std::vector<float> group_probabilities(const LightSampler& lights, const LightReference& at,
+                                              std::vector<float> brightness) {
+  const auto shares =
+      lights.group_shares({broadcast<Lanes>(at.position), broadcast<Lanes>(at.normal), IntLanes{} + at.view});
+  lights.group_probabilities(brightness, shares, 0);
   return brightness;
 }
 

@@ -6,8 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
-#include <span>
+#include <numeric>
 
+#include "core/sampling.h"
 #include "error.h"
 #include "spectral/color.h"
 
@@ -23,29 +24,22 @@ double luminance(const float* pixel) {
 /// Bilinear interpolation's mean over a pixel weighs it and its neighbours by 1/8, 3/4, 1/8 along each axis.
 constexpr std::array<double, 3> kPixelMean = {0.125, 0.75, 0.125};
 
-/// Divides cumulative sums so that they end at 1; a row without light gets equal shares.
-void normalise(std::span<double> sums, std::span<float> result) {
-  const double total = sums.back();
-  const double count = static_cast<double>(sums.size() - 1);
-  for (std::size_t i = 0; i < sums.size(); ++i)
-    result[i] = static_cast<float>(total > 0.0 ? sums[i] / total : static_cast<double>(i) / count);
+/// As many cells as pixels, or a multiple, so that there is one for each tile.
+std::int32_t cells(int pixels, std::int32_t tiles) {
+  return pixels * ((tiles + pixels - 1) / pixels);
 }
 
-/// The interval of cumulative probabilities that u lies in, none of which is empty.
-struct Interval {
-  int index;
-  float part;         ///< where in it, 0 … 1
-  float probability;  ///< its own
-};
-Interval find_interval(std::span<const float> cumulative, float u) {
-  const auto above = std::ranges::upper_bound(cumulative, u);
-  auto i = std::clamp<std::ptrdiff_t>(above - cumulative.begin() - 1, 0,
-                                      static_cast<std::ptrdiff_t>(cumulative.size()) - 2);
-  while (i > 0 && cumulative[static_cast<std::size_t>(i + 1)] == cumulative[static_cast<std::size_t>(i)]) --i;
-  const float low = cumulative[static_cast<std::size_t>(i)],
-              high = cumulative[static_cast<std::size_t>(i + 1)];
-  const float part = high > low ? std::clamp((u - low) / (high - low), 0.0f, 1.0f) : 0.5f;
-  return {static_cast<int>(i), part, high - low};
+/// Edges of equal parts of whole cells.
+std::vector<std::int32_t> edges(std::int32_t cells, std::int32_t parts) {
+  std::vector<std::int32_t> result;
+  for (std::int32_t i = 0; i <= parts; ++i)
+    result.push_back(static_cast<std::int32_t>(static_cast<std::int64_t>(i) * cells / parts));
+  return result;
+}
+
+/// The part in which a cell lies.
+std::int32_t part_of(std::int32_t cell, const std::vector<std::int32_t>& edges) {
+  return static_cast<std::int32_t>(std::ranges::upper_bound(edges, cell) - edges.begin()) - 1;
 }
 
 }  // namespace
@@ -54,81 +48,126 @@ Environment::Environment(Image picture, double rotation)
     : picture_(std::move(picture)),
       cos_rotation_(static_cast<float>(std::cos(rotation * kPiD / 180.0))),
       sin_rotation_(static_cast<float>(std::sin(rotation * kPiD / 180.0))),
-      rows_(static_cast<std::size_t>(picture_.height) + 1),
-      columns_(static_cast<std::size_t>(picture_.height) * (width() + 1)),
-      cos_theta_(rows_.size()) {
-  const int w = picture_.width, h = picture_.height;
-  for (int y = 0; y <= h; ++y)
-    cos_theta_[static_cast<std::size_t>(y)] = static_cast<float>(std::cos(kPiD * y / h));
-  std::vector<double> row_sums(rows_.size());
-  tbb::parallel_for(0, h, [&](int y) {
-    // Mean luminance over the pixel's height, for each column; then along the row.
-    std::vector<double> means(width()), sums(width() + 1);
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int x = 0; x < w; ++x)
-        means[static_cast<std::size_t>(x)] += kPixelMean[static_cast<std::size_t>(dy + 1)] *
-                                              luminance(picture_.at(x, std::clamp(y + dy, 0, h - 1)));
-    for (std::size_t x = 0; x < width(); ++x)
-      sums[x + 1] = sums[x] + kPixelMean[0] * means[(x + width() - 1) % width()] + kPixelMean[1] * means[x] +
-                    kPixelMean[2] * means[(x + 1) % width()];
-    const double solid_angle = 2.0 * kPiD / w * (std::cos(kPiD * y / h) - std::cos(kPiD * (y + 1) / h));
-    row_sums[static_cast<std::size_t>(y) + 1] = sums.back() * solid_angle;
-    normalise(sums, std::span(columns_).subspan(static_cast<std::size_t>(y) * (width() + 1), width() + 1));
+      rows_(cells(picture_.height, kTileRows)),
+      columns_(cells(picture_.width, kTileColumns)),
+      row_edges_(edges(rows_, kTileRows)),
+      column_edges_(edges(columns_, kTileColumns)) {
+  for (std::int32_t y = 0; y <= rows_; ++y)
+    cos_theta_.push_back(static_cast<float>(std::cos(kPiD * y / rows_)));
+  for (std::int32_t y = 0; y < kTileRows; ++y) add_tiles(y);
+  flux_density_ = std::accumulate(tile_fluxes_.begin(), tile_fluxes_.end(), 0.0);
+}
+
+/// A row of them.
+void Environment::add_tiles(std::int32_t y) {
+  const std::int32_t *edge = &row_edges_[static_cast<std::size_t>(y)], first = edge[0], last = edge[1];
+  const auto width = static_cast<std::size_t>(columns_);
+  std::vector<double> fluxes(static_cast<std::size_t>(last - first) * width), of_tile;
+  tbb::parallel_for(first, last, [&](std::int32_t row) {
+    fill_fluxes(row, std::span(fluxes).subspan(static_cast<std::size_t>(row - first) * width, width));
   });
-  for (std::size_t y = 1; y < row_sums.size(); ++y) row_sums[y] += row_sums[y - 1];
-  flux_density_ = row_sums.back();
-  normalise(row_sums, rows_);
+  for (std::size_t x = 0; x < kTileColumns; ++x) {
+    const std::int32_t low = column_edges_[x], high = column_edges_[x + 1];
+    of_tile.clear();
+    for (auto row = fluxes.begin(); row != fluxes.end(); row += columns_)
+      of_tile.insert(of_tile.end(), row + low, row + high);
+    tiles_.push_back(cells_.add(of_tile, static_cast<std::size_t>(high - low)));
+    tile_fluxes_.push_back(std::accumulate(of_tile.begin(), of_tile.end(), 0.0));
+  }
 }
 
-Environment::Position Environment::position_of(Vec3f direction) const {
+/// ∫ L dω over each cell of a row, L being its pixel's mean.
+void Environment::fill_fluxes(std::int32_t row, std::span<double> fluxes) const {
+  const int width = picture_.width, height = picture_.height, y = row / (rows_ / height);
+  // Mean luminance over the pixels' height, for each column; then along the row.
+  std::vector<double> means(static_cast<std::size_t>(width));
+  for (int dy = -1; dy <= 1; ++dy)
+    for (int x = 0; x < width; ++x)
+      means[static_cast<std::size_t>(x)] += kPixelMean[static_cast<std::size_t>(dy + 1)] *
+                                            luminance(picture_.at(x, std::clamp(y + dy, 0, height - 1)));
+  const auto mean = [&](int x) { return means[static_cast<std::size_t>((x + width) % width)]; };
+  const double solid_angle =
+      2.0 * kPiD / columns_ * (std::cos(kPiD * row / rows_) - std::cos(kPiD * (row + 1) / rows_));
+  for (std::size_t cell = 0; cell < fluxes.size(); ++cell) {
+    const int x = static_cast<int>(cell) / (columns_ / width);
+    fluxes[cell] =
+        solid_angle * (kPixelMean[0] * mean(x - 1) + kPixelMean[1] * mean(x) + kPixelMean[2] * mean(x + 1));
+  }
+}
+
+template <typename T>
+Environment::Position<T> Environment::position_of(Vec3<T> direction) const {
   // Into the picture's own directions: turned back about +y.
-  const float x = direction.x * cos_rotation_ - direction.z * sin_rotation_;
-  const float z = direction.x * sin_rotation_ + direction.z * cos_rotation_;
-  const float phi = std::atan2(x, -z), theta = std::atan2(std::sqrt(x * x + z * z), direction.y);
-  return {(phi * (0.5f * kInvPi) + 0.5f) * static_cast<float>(picture_.width),
-          theta * kInvPi * static_cast<float>(picture_.height)};
+  const T right = direction.x * cos_rotation_ - direction.z * sin_rotation_;
+  const T back = direction.x * sin_rotation_ + direction.z * cos_rotation_;
+  const T phi = copysign(angle_above(abs(right), -back), right);
+  const T theta = angle_above(sqrt(right * right + back * back), direction.y);
+  return {phi * (0.5f * kInvPi) + 0.5f, theta * kInvPi};
 }
 
-Vec3f Environment::radiance(Vec3f direction) const {
-  const auto [px, py] = position_of(direction);
-  const float fx = std::floor(px - 0.5f), fy = std::floor(py - 0.5f);
-  const float tx = px - 0.5f - fx, ty = py - 0.5f - fy;
-  const int w = picture_.width, h = picture_.height;
-  const int x0 = (static_cast<int>(fx) + w) % w, x1 = (x0 + 1) % w;
-  const int y0 = std::clamp(static_cast<int>(fy), 0, h - 1),
-            y1 = std::clamp(static_cast<int>(fy) + 1, 0, h - 1);
-  const auto pixel = [&](int x, int y) {
-    const float* p = picture_.at(x, y);
-    return Vec3f{p[0], p[1], p[2]};
+template <typename T>
+Vec3<T> Environment::interpolate(Vec3<T> direction) const {
+  using I = IndexOf<T>;
+  const Position<T> p = position_of(direction);
+  const std::int32_t w = picture_.width, h = picture_.height;
+  const T px = p.x * static_cast<float>(w) - 0.5f, py = p.y * static_cast<float>(h) - 0.5f;
+  const T fx = floor(px), fy = floor(py), tx = px - fx, ty = py - fy;
+  // What is no direction finds some pixel, too.
+  const auto clamp = [](I i, std::int32_t count) {
+    return select(i < 0, I{}, select(i >= count, I{} + (count - 1), i));
+  };
+  const auto wrap = [&](I x) { return clamp(select(x < 0, x + w, select(x >= w, x - w, x)), w); };
+  const I x0 = wrap(to_int(fx)), x1 = wrap(x0 + 1), y0 = clamp(to_int(fy), h), y1 = clamp(to_int(fy) + 1, h);
+  const auto pixel = [&](I x, I y) {
+    const I i = 3 * (y * w + x);
+    const float* rgb = picture_.pixels.data();
+    return Vec3<T>{gather(rgb, i), gather(rgb, i + 1), gather(rgb, i + 2)};
   };
   return (pixel(x0, y0) * (1.0f - tx) + pixel(x1, y0) * tx) * (1.0f - ty) +
          (pixel(x0, y1) * (1.0f - tx) + pixel(x1, y1) * tx) * ty;
 }
 
-Environment::Sample Environment::sample(Sample2d u) const {
-  const Interval y = find_interval(rows_, u.y);
-  const Interval x = find_interval(std::span(row(y.index), width() + 1), u.x);
-  const float top = cos_theta_[static_cast<std::size_t>(y.index)];
-  const float bottom = cos_theta_[static_cast<std::size_t>(y.index) + 1];
-  const float cos_theta = top + (bottom - top) * y.part, sin_theta = safe_sqrt(1.0f - sqr(cos_theta));
-  const float columns = static_cast<float>(picture_.width);
-  const float phi = 2.0f * kPi * ((static_cast<float>(x.index) + x.part) / columns - 0.5f);
-  const float right = sin_theta * std::sin(phi), back = -sin_theta * std::cos(phi);
-  const float solid_angle = 2.0f * kPi / columns * (top - bottom);
-  return {
-      {right * cos_rotation_ + back * sin_rotation_, cos_theta, back * cos_rotation_ - right * sin_rotation_},
-      x.probability * y.probability / solid_angle};
+template <typename I>
+GridDensities::Grid<I> Environment::tile(I x, I y) const {
+  const std::int32_t *columns = column_edges_.data(), *rows = row_edges_.data();
+  return {gather(tiles_.data(), y * kTileColumns + x), gather(columns, x + 1) - gather(columns, x),
+          gather(rows, y + 1) - gather(rows, y)};
 }
 
-float Environment::pdf(Vec3f direction) const {
-  const auto [px, py] = position_of(direction);
-  const auto x = static_cast<std::size_t>(std::clamp(static_cast<int>(px), 0, picture_.width - 1));
-  const auto y = static_cast<std::size_t>(std::clamp(static_cast<int>(py), 0, picture_.height - 1));
-  const float* columns = row(static_cast<int>(y));
-  const float solid_angle =
-      2.0f * kPi / static_cast<float>(picture_.width) * (cos_theta_[y] - cos_theta_[y + 1]);
-  return (columns[x + 1] - columns[x]) * (rows_[y + 1] - rows_[y]) / solid_angle;
+template <typename T>
+Environment::Sample<T> Environment::sample_tile(IndexOf<T> tile_x, IndexOf<T> tile_y,
+                                                BasicSample2d<T> u) const {
+  const auto cell = cells_.sample<T>(tile(tile_x, tile_y), u);
+  const IndexOf<T> x = gather(column_edges_.data(), tile_x) + cell.x,
+                   y = gather(row_edges_.data(), tile_y) + cell.y;
+  const T top = gather(cos_theta_.data(), y), bottom = gather(cos_theta_.data(), y + 1);
+  const T cos_theta = top + (bottom - top) * cell.part.y, sin_theta = safe_sqrt(1.0f - sqr(cos_theta));
+  const float columns = static_cast<float>(columns_);
+  const auto phi = sin_cos_two_pi((to_float(x) + cell.part.x) / columns);  // half a turn on
+  const T right = -sin_theta * phi.sin, back = sin_theta * phi.cos;
+  const T solid_angle = 2.0f * kPi / columns * (top - bottom);
+  return {
+      {right * cos_rotation_ + back * sin_rotation_, cos_theta, back * cos_rotation_ - right * sin_rotation_},
+      cell.probability / solid_angle};
 }
+
+Environment::Place Environment::place_of(Vec3f direction) const {
+  const Position<float> p = position_of(direction);
+  const std::int32_t x = std::clamp(to_int(p.x * static_cast<float>(columns_)), 0, columns_ - 1),
+                     y = std::clamp(to_int(p.y * static_cast<float>(rows_)), 0, rows_ - 1);
+  const std::int32_t tile_x = part_of(x, column_edges_), tile_y = part_of(y, row_edges_);
+  const float* cos_theta = &cos_theta_[static_cast<std::size_t>(y)];
+  const float solid_angle = 2.0f * kPi / static_cast<float>(columns_) * (cos_theta[0] - cos_theta[1]);
+  const float probability =
+      cells_.probability<float>(tile(tile_x, tile_y), x - column_edges_[static_cast<std::size_t>(tile_x)],
+                                y - row_edges_[static_cast<std::size_t>(tile_y)]);
+  return {tile_x, tile_y, probability / solid_angle};
+}
+
+template Vec3f Environment::interpolate(Vec3f) const;
+template Vec3Lanes Environment::interpolate(Vec3Lanes) const;
+template Environment::Sample<float> Environment::sample_tile(std::int32_t, std::int32_t, Sample2d) const;
+template Environment::Sample<Lanes> Environment::sample_tile(IntLanes, IntLanes, Sample2dLanes) const;
 
 Environment load_environment(const EnvironmentOptions& options, std::vector<std::string>& warnings) {
   Image picture = read_image(options.file);

@@ -10,7 +10,8 @@ namespace photopic {
 template <typename T>
 struct BasicLightReference {
   Vec3<T> position;
-  Vec3<T> normal;  ///< unit: light arrives from its side alone; zero: from all around
+  Vec3<T> normal;     ///< unit: light arrives from its side alone; zero: from all around
+  IndexOf<T> view{};  ///< of the sky, where there are several: see LightSampler::view_at()
 };
 using LightReference = BasicLightReference<float>;
 

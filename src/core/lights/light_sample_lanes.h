@@ -11,9 +11,9 @@ namespace photopic {
 
 /// Points that light is gathered at, and the random numbers to do it with.
 struct LightReferenceLanes {
-  Vec3Lanes position, normal;                          ///< see LightReference
-  std::array<std::span<const float>, kLanes> spectra;  ///< LightSampler::spectrum_probabilities(), or empty
-  DoubleLanes u_choice;                                ///< in [0, 1), of 32 bits or more
+  BasicLightReference<Lanes> place;
+  std::array<std::span<const float>, kLanes> groups;  ///< LightSampler::group_probabilities(), or empty
+  DoubleLanes u_choice;                               ///< in [0, 1), of 32 bits or more
   Sample2dLanes u;
   int count;  ///< of the lanes in use
 };

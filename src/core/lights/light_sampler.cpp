@@ -8,21 +8,12 @@
 namespace photopic {
 namespace {
 
-/// Power says little about how lights within the scene compare with those beyond it: of what use is the sky
-/// in a closed room, or a lamp in a landscape? Neither kind gets less than this share of the choices.
-constexpr double kLeastShare = 0.25;
-
 /// A light that is brighter than any number must be chosen, for what it does to be seen in the result.
 constexpr double kMostPower = 1e200;  // [lm]
 
-constexpr double kPiD = std::numbers::pi;
+constexpr double kMostIlluminance = 1e30;  // in any unit
 
-/// The factor on unbounded lights that keeps both shares.
-double balance(double bounded, double unbounded) {
-  if (!(bounded > 0.0) || !(unbounded > 0.0)) return 1.0;
-  const double share = std::clamp(unbounded / (bounded + unbounded), kLeastShare, 1.0 - kLeastShare);
-  return share / (1.0 - share) * bounded / unbounded;
-}
+constexpr double kPiD = std::numbers::pi;
 
 /// Of a light with a flux of 1.
 LightBounds bounds_of(const AreaLight& light) {
@@ -58,43 +49,71 @@ LightBounds bounds_of(const PunctualLight& light) {
 
 }  // namespace
 
-LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Surface> surfaces)
+LightSampler::LightSampler(const Scene& scene, double radius, std::span<const Surface> surfaces,
+                           SkyViews views)
     : area_lights_(scene, surfaces),
       punctual_lights_(scene.punctual_lights),
       environment_(scene.environment),
+      views_(std::move(views)),
       power_of_spectrum_(scene.emission_spectra.size()) {
-  const auto [power, spectrum] = list_powers(radius);
-  places_.resize(power.size());
-  std::set<int> kinds;
-  double bounded = 0.0, unbounded = 0.0;
-  int bounded_count = 0;
-  for (std::uint32_t i = 0; i < power.size(); ++i) {
-    if (!(power[i] > 0.0)) continue;
-    kinds.insert(spectrum[i]);
-    power_of_spectrum_[static_cast<std::size_t>(spectrum[i])] += power[i];
-    if (is_unbounded(i))
-      unbounded += power[i];
-    else
-      bounded += power[i], ++bounded_count;
-  }
-  groups_.resize(kinds.size() > kMostGroups ? 1 : power_of_spectrum_.size());
-  std::vector<std::vector<std::uint32_t>> members(groups_.size());
-  for (std::uint32_t i = 0; i < power.size(); ++i)
-    if (power[i] > 0.0) members[group_of(spectrum[i])].push_back(i);
-
+  if (const Sky sky(scene); views_.empty() && !sky.empty()) views_ = SkyViews(sky, {}, {});
+  uses_normals_ = views_.differ();
+  const Powers powers = list_powers(radius);
+  for (std::size_t i = 0; i < powers.power.size(); ++i)
+    if (powers.power[i] > 0.0)
+      power_of_spectrum_[static_cast<std::size_t>(powers.spectrum[i])] += powers.power[i];
   // Specks of light on a dark texture may escape all estimates: then each spectrum counts alike.
-  if (!(bounded + unbounded > 0.0)) std::ranges::fill(power_of_spectrum_, 1.0);
+  if (std::ranges::none_of(powers.power, [](double p) { return p > 0.0; }))
+    std::ranges::fill(power_of_spectrum_, 1.0);
+  make_groups(powers);
+  if (groups_.size() == 1 && groups_[0].lights.size() == 1 &&
+      groups_[0].lights[0] < area_lights_.list().size())
+    only_area_light_ = groups_[0].lights[0];
+}
 
-  // What they are chosen by.
-  const double factor = balance(bounded, unbounded), total = bounded + factor * unbounded;
-  std::vector<double> weight = power;
-  for (std::uint32_t i = 0; i < power.size(); ++i) weight[i] *= (is_unbounded(i) ? factor : 1.0) / total;
-  for (std::size_t k = 0; k < groups_.size(); ++k) {
-    if (members[k].empty()) continue;
-    lit_groups_.push_back(k);
-    make_group(groups_[k], members[k], weight, bounded_count > 1);
+void LightSampler::make_groups(const Powers& powers) {
+  const auto& [power, spectrum] = powers;
+  std::set<int> spectra;  // of lights within the scene
+  double total = 0.0;
+  for (std::uint32_t i = 0; i < power.size(); ++i)
+    if (power[i] > 0.0 && kind_of(i) == Kind::within) spectra.insert(spectrum[i]), total += power[i];
+  places_.resize(power.size());
+  for (std::uint32_t i = 0; i < power.size(); ++i)
+    if (power[i] > 0.0) add_to_group(i, spectrum[i], spectra.size() > kMostSpectra);
+  if (!(total > 0.0)) total = 1.0;
+  for (Group& group : groups_) {
+    if (group.spectrum == kMixed) weighs_spectra_ = false;
+    if (group.kind == Kind::within) plant_tree(group, power, total);
+    if (group.kind != Kind::directional) continue;
+    std::vector<double> weights;
+    for (const std::uint32_t light : group.lights) weights.push_back(power[light]);
+    group.by_illuminance = AliasTable(weights);
   }
-  only_area_light_ = find_only_area_light();
+  weigh_sky(total);
+}
+
+/// @param one_tree whether lights of all spectra stand in one
+void LightSampler::add_to_group(std::uint32_t light, int spectrum, bool one_tree) {
+  const Kind kind = kind_of(light);
+  auto group = std::ranges::find_if(groups_, [&](const Group& g) {
+    return g.kind == kind && (g.spectrum == spectrum || kind != Kind::within || one_tree);
+  });
+  if (group == groups_.end()) group = groups_.insert(group, {.kind = kind, .spectrum = spectrum});
+  if (group->spectrum != spectrum) group->spectrum = kMixed;
+  places_[light] = {static_cast<std::uint32_t>(group - groups_.begin()),
+                    static_cast<std::uint32_t>(group->lights.size())};
+  group->lights.push_back(light);
+}
+
+/// @param total power of all groups' lights within the scene [lm]
+void LightSampler::weigh_sky(double total) {
+  for (const SkyViews::Light& light : views_.lights()) {
+    const auto share = [&](double illuminance) {
+      return static_cast<float>(std::min(illuminance / total, kMostIlluminance));
+    };
+    sky_.push_back(
+        {share(light.environment), share(light.directional), light.any ? kLeastShare : kLeastUnseen});
+  }
 }
 
 LightSampler::Powers LightSampler::list_powers(double radius) const {
@@ -110,17 +129,12 @@ LightSampler::Powers LightSampler::list_powers(double radius) const {
   return powers;
 }
 
-std::optional<std::uint32_t> LightSampler::find_only_area_light() const {
-  if (lit_groups_.size() != 1) return {};
-  const auto& lights = groups_[lit_groups_.front()].lights;
-  if (lights.size() != 1 || lights[0] >= area_lights_.list().size()) return {};
-  return lights[0];
-}
-
-bool LightSampler::is_unbounded(std::uint32_t light) const {
+LightSampler::Kind LightSampler::kind_of(std::uint32_t light) const {
   const std::size_t areas = area_lights_.list().size();
-  return light == environment_index() ||
-         (light >= areas && punctual_lights_[light - areas].kind == PunctualLight::Kind::directional);
+  if (light == environment_index()) return Kind::environment;
+  return light >= areas && punctual_lights_[light - areas].kind == PunctualLight::Kind::directional
+             ? Kind::directional
+             : Kind::within;
 }
 
 LightBounds LightSampler::bounds_of(std::uint32_t light) const {
@@ -129,93 +143,53 @@ LightBounds LightSampler::bounds_of(std::uint32_t light) const {
                        : photopic::bounds_of(punctual_lights_[light - areas]);
 }
 
-void LightSampler::make_group(Group& group, std::span<const std::uint32_t> members,
-                              std::span<const double> weight, bool in_trees) {
-  const bool has_bounded = !std::ranges::all_of(members, [this](std::uint32_t i) { return is_unbounded(i); });
-  std::vector<double> entries;
-  const auto add_entry = [&](std::uint32_t light, double w) {
-    group.lights.push_back(light);
-    entries.push_back(w);
-    return static_cast<std::uint32_t>(entries.size() - 1);
-  };
-  if (in_trees && has_bounded) {
-    uses_normals_ = true;
-    const std::uint32_t entry = add_entry(kNoLight, 0.0);
-    std::vector<LightBounds> bounds;
-    std::vector<std::uint32_t> names;
-    for (const std::uint32_t i : members) {
-      if (is_unbounded(i)) continue;
-      places_[i] = {entry, static_cast<std::uint32_t>(bounds.size())};
-      names.push_back(i);
-      bounds.push_back(bounds_of(i));
-      bounds.back().intensity *= static_cast<float>(weight[i]);
-      entries[entry] += weight[i];
-      group.intensity += bounds.back().intensity;
-    }
-    group.tree = LightTree(bounds, names);
-    if (names.size() == 1) group.lights[entry] = names[0];
+/// @param total power of all groups' lights within the scene [lm]
+void LightSampler::plant_tree(Group& group, std::span<const double> power, double total) {
+  if (group.lights.size() > 1 || !views_.empty()) uses_normals_ = true;
+  std::vector<LightBounds> bounds;
+  for (const std::uint32_t light : group.lights) {
+    bounds.push_back(bounds_of(light));
+    float& intensity = bounds.back().intensity;
+    intensity =
+        std::max(intensity * static_cast<float>(power[light] / total), std::numeric_limits<float>::min());
+    group.intensity += intensity;
   }
-  for (const std::uint32_t i : members)
-    if (group.tree.empty() || is_unbounded(i)) places_[i] = {add_entry(i, weight[i]), 0};
-  for (const std::uint32_t i : members)
-    (is_unbounded(i) ? group.unbounded : group.bounded) += static_cast<float>(weight[i]);
-  group.table = AliasTable(entries);
+  group.tree = LightTree(bounds, group.lights);
 }
 
-void LightSampler::spectrum_probabilities(std::span<float> brightness, const GroupShares& shares,
-                                          int lane) const {
-  std::array<float, kMostGroups> weight;
+void LightSampler::group_probabilities(std::span<float> brightness, const GroupShares& shares,
+                                       int lane) const {
   float total = 0.0f;
-  for (std::size_t j = 0; j < lit_groups_.size(); ++j)
-    total += weight[j] = brightness[lit_groups_[j]] * photopic::lane(shares[j], lane);
-  std::ranges::fill(brightness, 0.0f);
+  for (std::size_t k = 0; k < brightness.size(); ++k)
+    total += brightness[k] *= photopic::lane(shares[k], lane);
   if (total == 0.0f) return;
   const bool is_number =
       total < std::numeric_limits<float>::infinity();  // else it shall be seen in the result
-  for (std::size_t j = 0; j < lit_groups_.size(); ++j)
-    brightness[lit_groups_[j]] = is_number ? weight[j] / total : photopic::lane(shares[j], lane);
+  for (std::size_t k = 0; k < brightness.size(); ++k)
+    brightness[k] = is_number ? brightness[k] / total : photopic::lane(shares[k], lane);
 }
 
-std::optional<LightSample> LightSampler::sample_other(std::uint32_t light, Vec3f from, Sample2d u) const {
-  if (light < environment_index()) return punctual_lights_[light - area_lights_.list().size()].sample(from);
-  const Environment::Sample way = environment_->sample(u);
-  if (!(way.pdf > 0.0f)) return {};
-  LightSample s{};
-  s.direction = way.direction;
-  s.distance = std::numeric_limits<float>::infinity();
-  s.pdf = way.pdf;
-  s.radiance = 1.0f;
-  s.spectrum = environment_->emission_spectrum;
-  s.environment = true;
-  return s;
-}
-
-float LightSampler::choice_probability(const LightReference& at, std::span<const float> spectra, int spectrum,
+float LightSampler::choice_probability(const LightReference& at, std::span<const float> groups,
                                        std::uint32_t light) const {
-  const PlaceInGroup& place = places_[light];
-  if (place.entry == kNoLight) return 0.0f;
-  const std::size_t k = group_of(spectrum);
+  const auto [k, leaf] = places_[light];
+  if (k == kNoGroup) return 0.0f;
   const Group& group = groups_[k];
-  float probability = group.table.probability(place.entry);
-  if (!spectra.empty()) probability *= spectra[k];
-  if (group.lights[place.entry] == kNoLight) probability *= group.tree.probability(at, place.leaf);
-  return probability;
+  const float probability = groups.empty() ? 1.0f : groups[k];
+  return group.has_tree() ? probability * group.tree.probability(at, leaf) : probability;
 }
 
-float LightSampler::environment_pdf(const LightReference& at, std::span<const float> spectra,
+float LightSampler::environment_pdf(const LightReference& at, std::span<const float> groups,
                                     Vec3f direction) const {
-  const float probability =
-      choice_probability(at, spectra, environment_->emission_spectrum, environment_index());
-  return probability > 0.0f ? probability * environment_->pdf(direction) : 0.0f;
+  const float probability = choice_probability(at, groups, environment_index());
+  return probability > 0.0f ? probability * views_.pdf(*environment_, at.view, direction) : 0.0f;
 }
 
-float LightSampler::pdf(const LightReference& at, std::span<const float> spectra, std::uint32_t shape,
+float LightSampler::pdf(const LightReference& at, std::span<const float> groups, std::uint32_t shape,
                         std::uint32_t triangle, float distance) const {
   const std::uint32_t i = area_lights_.light_of(shape, triangle);
   if (i == kNoLight) return 0.0f;
-  const AreaLight& light = area_lights_.list()[i];
-  const float probability = choice_probability(at, spectra, area_lights_.emission(light).spectrum, i);
-  return probability > 0.0f ? probability * light.pdf(at.position, distance) : 0.0f;
+  const float probability = choice_probability(at, groups, i);
+  return probability > 0.0f ? probability * area_lights_.list()[i].pdf(at.position, distance) : 0.0f;
 }
 
 }  // namespace photopic

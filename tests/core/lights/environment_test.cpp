@@ -6,7 +6,9 @@
 #include <numbers>
 
 #include "core/gltf_fixture.h"
+#include "core/lights/sky_views.h"
 #include "core/sample_sequence.h"
+#include "core/scene.h"
 #include "support/statistics.h"
 
 namespace photopic {
@@ -32,6 +34,13 @@ Image uneven_sky() {
   });
 }
 
+/// As if all of it were seen from everywhere.
+SkyViews whole_view(const Environment& e) {
+  Scene scene;
+  scene.environment = std::shared_ptr<const Environment>(std::shared_ptr<void>(), &e);
+  return {Sky(scene), {}, {}};
+}
+
 double solid_angle(int width, int height, int y) {
   return 2 * kPiD / width * (std::cos(kPiD * y / height) - std::cos(kPiD * (y + 1) / height));
 }
@@ -45,19 +54,21 @@ Vec3f direction(double x, double y) {
 TEST(Environment, SamplesFollowTheirDensity) {
   for (double rotation : {0.0, 137.0}) {
     const Environment e(uneven_sky(), rotation), straight(uneven_sky(), 0.0);
+    const SkyViews view = whole_view(e), straight_view = whole_view(straight);
     constexpr int kSamples = 200000;
     std::vector<double> observed(128), expected(128);
     double total = 0.0;
     const double c = std::cos(-rotation * kPiD / 180), s = std::sin(-rotation * kPiD / 180);
     for (int y = 0; y < 8; ++y)
       for (int x = 0; x < 16; ++x) {
-        const double p = straight.pdf(direction((x + 0.5) / 16, (y + 0.5) / 8)) * solid_angle(16, 8, y);
+        const double p =
+            straight_view.pdf(straight, 0, direction((x + 0.5) / 16, (y + 0.5) / 8)) * solid_angle(16, 8, y);
         expected[static_cast<std::size_t>(16 * y + x)] = kSamples * p;
         total += p;
       }
     EXPECT_NEAR(total, 1.0, 1e-5);
     for (std::uint32_t i = 0; i < kSamples; ++i) {
-      const auto sample = e.sample(SampleStream(Sequence::independent, 6, 0, i).get_2d(0));
+      const auto sample = view.sample<float>(e, 0, SampleStream(Sequence::independent, 6, 0, i).get_2d(0));
       ASSERT_NEAR(length(sample.direction), 1.0f, 1e-5f);
       const Vec3d d = to_double(sample.direction);
       const Vec3d back{d.x * c + d.z * s, d.y, d.z * c - d.x * s};  // as in the picture
@@ -66,7 +77,7 @@ TEST(Environment, SamplesFollowTheirDensity) {
                                           std::min(static_cast<int>(x), 15))];
       const bool inside = std::abs(x - std::round(x)) > 1e-3 && std::abs(y - std::round(y)) > 1e-3;
       if (inside) {
-        EXPECT_NEAR(e.pdf(sample.direction), sample.pdf, 1e-3f * sample.pdf);
+        EXPECT_NEAR(view.pdf(e, 0, sample.direction), sample.pdf, 1e-3f * sample.pdf);
       }
     }
     // Single precision puts a few directions into the pixel beside theirs: none of the black row's own.
@@ -81,9 +92,10 @@ TEST(Environment, SamplesFollowTheirDensity) {
 /// Wherever the picture is not black there is a density: the mean of L/pdf is ∫ L dω, with bounded weights.
 TEST(Environment, ImportanceSamplingFindsAllLight) {
   const Environment e(uneven_sky(), 20.0);
+  const SkyViews view = whole_view(e);
   RunningMean mean;
   for (std::uint32_t i = 0; i < 100000; ++i) {
-    const auto s = e.sample(SampleStream(Sequence::independent, 6, 0, i).get_2d(0));
+    const auto s = view.sample<float>(e, 0, SampleStream(Sequence::independent, 6, 0, i).get_2d(0));
     mean.add(e.radiance(s.direction).y / s.pdf);
   }
   // The same integral with uniform directions, finely stratified.
@@ -119,6 +131,27 @@ TEST(Environment, Directions) {
   EXPECT_EQ(turned.radiance({0, 0, -1}), (Vec3f{0, 1, 0}));
 }
 
+/// Sixteen directions at once, those that are none among them.
+TEST(Environment, LanesAsOneByOne) {
+  const Environment e(uneven_sky(), 33.0);
+  const SkyViews view = whole_view(e);
+  for (std::uint32_t k = 0; k < 100; ++k) {
+    const SampleStreamLanes stream(Sequence::independent, UintLanes{} + 3u, UintLanes{} + k,
+                                   UintLanes{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15});
+    const Sample2dLanes u = stream.get_2d(0);
+    const auto ways = view.sample<Lanes>(e, IntLanes{}, u);
+    const Vec3Lanes radiances = e.radiance(ways.direction);
+    for (int i = 0; i < kLanes; ++i) {
+      const auto way = view.sample<float>(e, 0, lane(u, i));
+      EXPECT_NEAR(length(lane(ways.direction, i) - way.direction), 0.0f, 1e-6f);
+      EXPECT_NEAR(lane(ways.pdf, i), way.pdf, 1e-4f * way.pdf);
+      EXPECT_NEAR(lane(radiances.x, i), e.radiance(lane(ways.direction, i)).x, 1e-3f);
+    }
+  }
+  const Lanes none = Lanes{} + std::numeric_limits<float>::quiet_NaN();
+  e.radiance(Vec3Lanes{none, none, none});  // reads no pixel that is not there
+}
+
 /// At pixel centres the pixels, in the middle between two their mean; the seam at ±x is none.
 TEST(Environment, Bilinear) {
   const Environment e(grey(4, 2, [](int x, int y) { return x + 10.0 * y; }), 0.0);
@@ -131,9 +164,10 @@ TEST(Environment, Bilinear) {
 
 TEST(Environment, ConstantPicture) {
   const Environment e(grey(5, 3, [](int, int) { return 2.0; }), 45.0);
+  const SkyViews view = whole_view(e);
   EXPECT_NEAR(e.flux_density(), 8 * kPiD, 1e-5);
   for (const Vec3f& d : {Vec3f{0, 1, 0}, Vec3f{0.6f, -0.8f, 0}, Vec3f{0, 0, 1}}) {
-    EXPECT_NEAR(e.pdf(d), 1 / (4 * kPiD), 1e-6);
+    EXPECT_NEAR(view.pdf(e, 0, d), 1 / (4 * kPiD), 1e-6);
     EXPECT_NEAR(e.radiance(d).z, 2.0, 1e-6);
   }
 }

@@ -46,12 +46,11 @@ Scene with_others(int count) {
 }
 
 LightReferenceLanes some_points(std::uint32_t k, int count) {
-  LightReferenceLanes at{
-      .position = {}, .normal = {}, .spectra = {}, .u_choice = {}, .u = {}, .count = count};
+  LightReferenceLanes at{.place = {}, .groups = {}, .u_choice = {}, .u = {}, .count = count};
   for (int i = 0; i < kLanes; ++i) {
     const std::uint32_t j = 16 * k + static_cast<std::uint32_t>(i);
-    set_lane(at.position, i, {random(1, j) * 3 - 1.5f, random(2, j) * 3 - 1.5f, random(3, j) * 2});
-    if (i % 3) set_lane(at.normal, i, {0, 0, i % 2 ? 1.0f : -1.0f});
+    set_lane(at.place.position, i, {random(1, j) * 3 - 1.5f, random(2, j) * 3 - 1.5f, random(3, j) * 2});
+    if (i % 3) set_lane(at.place.normal, i, {0, 0, i % 2 ? 1.0f : -1.0f});
     at.u_choice[i] = SampleStream(Sequence::independent, 4, 0, j).get_1d_fine(0);
     at.u.x[i] = random(5, j), at.u.y[i] = random(6, j);
   }
@@ -84,7 +83,7 @@ TEST(LightLanes, AsOneByOne) {
       LightSampleLanes samples;
       lights.sample(at, samples);
       for (int i = 0; i < at.count; ++i) {
-        const LightReference here{lane(at.position, i), lane(at.normal, i)};
+        const LightReference here{lane(at.place.position, i), lane(at.place.normal, i)};
         const auto one = sample_one(lights, here, {}, at.u_choice[i], lane(at.u, i));
         reached += one.has_value();
         expect_same(samples, i, one);
@@ -107,9 +106,9 @@ TEST(LightLanes, OneLampAlone) {
       const LightReferenceLanes at = some_points(k, kLanes);
       LightSampleLanes samples;
       ASSERT_TRUE(lights.has_only_light());
-      lights.sample_only_light(at.position, at.u, samples);
+      lights.sample_only_light(at.place.position, at.u, samples);
       for (int i = 0; i < kLanes; ++i) {
-        const LightReference here{lane(at.position, i), {}};
+        const LightReference here{lane(at.place.position, i), {}};
         expect_same(samples, i, sample_one(lights, here, {}, 0.5, lane(at.u, i)));
       }
     }

@@ -64,7 +64,7 @@ double first_chosen(const LightSampler& lights, std::span<const float> spectra) 
 
 TEST(LightSampler, ChoosesByWhatMayArrive) {
   const LightSampler lights = lights_of(two_points(true));
-  EXPECT_FALSE(lights.several_spectra());
+  EXPECT_FALSE(lights.several_groups());
   const std::vector<double> expected{90'000, 10'000};
   const double first = first_chosen(lights, {});
   EXPECT_GT(chi_square_p_value(std::vector{first, 1e5 - first}, expected), 1e-3);
@@ -73,8 +73,8 @@ TEST(LightSampler, ChoosesByWhatMayArrive) {
 /// Spectra are chosen by brightness times what may arrive.
 TEST(LightSampler, ChoosesSpectraByPlaceAndBrightness) {
   const LightSampler lights = lights_of(two_points(false));
-  ASSERT_TRUE(lights.several_spectra());
-  const std::vector<float> spectra = spectrum_probabilities(lights, {kPlace, {}}, {0.5f, 3.0f});
+  ASSERT_TRUE(lights.several_groups());
+  const std::vector<float> spectra = group_probabilities(lights, {kPlace, {}}, {0.5f, 3.0f});
   EXPECT_NEAR(spectra[0], 4.5 / 7.5, 1e-6);
   EXPECT_NEAR(spectra[1], 3.0 / 7.5, 1e-6);
   const std::vector<double> expected{60'000, 40'000};
@@ -82,30 +82,33 @@ TEST(LightSampler, ChoosesSpectraByPlaceAndBrightness) {
   EXPECT_GT(chi_square_p_value(std::vector{first, 1e5 - first}, expected), 1e-3);
 }
 
-/// What lies beyond the scene keeps its share of the choices everywhere, and all shares add up.
+/// What lies beyond the scene and what lies within keep their shares of the choices everywhere, and all
+/// shares add up.
 TEST(LightSampler, SharesOfGroupsAddUp) {
-  Scene scene = two_points(false);
-  scene.punctual_lights.push_back(
-      {.kind = PunctualLight::Kind::directional, .intensity = 5.0f, .emission_spectrum = 1});
-  const LightSampler lights = lights_of(scene, 4.0);
-  float least = 1.0f;
-  for (std::uint32_t k = 0; k < 100; ++k) {
-    const SampleStream place(Sequence::independent, 3, 0, k);
-    const Vec3f at = Vec3f{place.get_1d(0), place.get_1d(1), place.get_1d(2)} * 10.0f - Vec3f{5, 5, 5};
-    const auto shares = lights.group_shares({broadcast<Lanes>(at), {}});
-    EXPECT_NEAR(shares[0][0] + shares[1][0], 1.0f, 1e-6f);
-    least = std::min(least, shares[1][0]);
+  for (const float illuminance : {1e-3f, 0.3f, 1e4f}) {
+    Scene scene = two_points(false);
+    scene.punctual_lights.push_back(
+        {.kind = PunctualLight::Kind::directional, .intensity = illuminance, .emission_spectrum = 1});
+    const LightSampler lights = lights_of(scene, 4.0);
+    ASSERT_EQ(lights.group_count(), 3u);
+    for (std::uint32_t k = 0; k < 100; ++k) {
+      const SampleStream place(Sequence::independent, 3, 0, k);
+      const Vec3f at = Vec3f{place.get_1d(0), place.get_1d(1), place.get_1d(2)} * 10.0f - Vec3f{5, 5, 5};
+      const auto shares = lights.group_shares({broadcast<Lanes>(at), {}});
+      EXPECT_NEAR(shares[0][0] + shares[1][0] + shares[2][0], 1.0f, 1e-6f);
+      EXPECT_GE(shares[2][0], 0.0999f);
+      EXPECT_LE(shares[2][0], 0.9001f);
+    }
   }
-  EXPECT_GE(least, 0.25f);
 }
 
 TEST(LightSampler, DarkSpectraAndThoseThatAreNoNumbers) {
   const LightSampler lights = lights_of(two_points(false));
-  const std::vector<float> dark = spectrum_probabilities(lights, {kPlace, {}}, {0.0f, 0.0f});
+  const std::vector<float> dark = group_probabilities(lights, {kPlace, {}}, {0.0f, 0.0f});
   EXPECT_EQ(dark, (std::vector<float>{0.0f, 0.0f}));
   EXPECT_FALSE(sample_one(lights, {kPlace, {}}, dark, 0.3, {0.5f, 0.5f}));
   const std::vector<float> odd =
-      spectrum_probabilities(lights, {kPlace, {}}, {std::numeric_limits<float>::quiet_NaN(), 1.0f});
+      group_probabilities(lights, {kPlace, {}}, {std::numeric_limits<float>::quiet_NaN(), 1.0f});
   EXPECT_NEAR(odd[0], 0.9, 1e-6);
   EXPECT_NEAR(odd[1], 0.1, 1e-6);
 }
@@ -212,14 +215,14 @@ TEST(LightSampler, NarrowSpotsCountWithinTheirBeams) {
 
 /// Of two spectra, where one is chosen first.
 std::vector<float> some_probabilities(const LightSampler& lights, const LightReference& at) {
-  if (!lights.several_spectra()) return {};
-  return spectrum_probabilities(lights, at, {0.7f, 0.2f});
+  if (!lights.several_groups()) return {};
+  return group_probabilities(lights, at, {0.7f, 0.2f});
 }
 
 /// Of a few kinds of light one is chosen first; of more there is one tree.
 TEST(LightSampler, ManyKindsStandInOneTree) {
-  EXPECT_TRUE(lights_of(many_lamps(4).build()).several_spectra());
-  EXPECT_FALSE(lights_of(many_lamps(5).build()).several_spectra());
+  EXPECT_EQ(lights_of(many_lamps(4).build()).group_count(), 4u);
+  EXPECT_EQ(lights_of(many_lamps(5).build()).group_count(), 1u);
 }
 
 /// The density that a sample has is the one that is found for a ray which hits its point.
@@ -293,8 +296,7 @@ TEST(LightSampler, DensitiesAddUpToOne) {
 }
 
 /// A lamp that fills a sixth of the sphere, a point, a spot, a directional light and an environment that is
-/// the same all around, their powers 8 : 4 : 6 : 4 : 6: those within the scene share 18 / 28 by what may
-/// arrive, the others are chosen as often as their power asks for, each with the density that it is to have.
+/// the same all around: each is chosen by what may arrive of it, with the density that it is to have.
 TEST(LightSampler, EveryKindFollowsItsDensity) {
   SceneBuilder b;
   b.ceiling({0, 0, 2}, 0.5, 0.5, b.lamp(d65(), 8.0));
@@ -304,10 +306,10 @@ TEST(LightSampler, EveryKindFollowsItsDensity) {
   scene.punctual_lights = {
       {.kind = Kind::point, .position = point, .intensity = 1.0f},
       {.kind = Kind::spot, .position = spot, .cos_inner = 0.5f, .cos_outer = 0.5f, .intensity = 6.0f},
-      {.kind = Kind::directional, .intensity = 1.0f}};
+      {.kind = Kind::directional, .intensity = 3.0f}};
   for (PunctualLight& light : scene.punctual_lights) light.emission_spectrum = 0;
   Image picture(1, 2);
-  for (int y = 0; y < 2; ++y) std::fill_n(picture.at(0, y), 3, static_cast<float>(6.0 / (16.0 * kPiD)));
+  for (int y = 0; y < 2; ++y) std::fill_n(picture.at(0, y), 3, static_cast<float>(2.0 / (4.0 * kPiD)));
   auto environment = std::make_shared<Environment>(std::move(picture), 0.0);
   environment->emission_spectrum = 0;
   scene.environment = environment;
@@ -315,11 +317,13 @@ TEST(LightSampler, EveryKindFollowsItsDensity) {
 
   const LightReference at{{0, 0, 1.5f}, {}};
   // Root mean square intensities over squared distances, that of the lamp being its radius; all are seen from
-  // within their beams.
+  // within their beams. Of the sky, what is seen on average by surfaces that are turned anyhow.
   const double lamp = 8 / std::sqrt(6.0) / 0.5, near = 1 / 1.25, wide = 6 * std::sqrt(0.25) / 3.25;
-  const double share = 18 / 28.0 / (lamp + near + wide);
-  const double chosen[] = {share * lamp, share * near, share * wide, 4 / 28.0, 6 / 28.0};
+  const double sun = 3.0 * std::sqrt(1.0 / 3), sky = 2.0 * std::sqrt(1.0 / 3);
+  const double total = lamp + near + wide + sun + sky;
+  const double chosen[] = {lamp / total, near / total, wide / total, sun / total, sky / total};
   const double pdf[] = {chosen[0] / (4 * kPiD / 6), chosen[1], chosen[2], chosen[3], chosen[4] / (4 * kPiD)};
+  const std::vector<float> groups = group_probabilities(lights, at, {1, 1, 1});
   const auto kind_of = [&](const LightSample& s) -> std::size_t {
     if (s.environment) return 4;
     if (!s.delta) return 0;
@@ -330,12 +334,9 @@ TEST(LightSampler, EveryKindFollowsItsDensity) {
   std::vector<double> observed(5), expected;
   for (const double p : chosen) expected.push_back(kPackets * kLanes * p);
   for (std::uint32_t k = 0; k < kPackets; ++k) {
-    LightReferenceLanes packet{.position = broadcast<Lanes>(at.position),
-                               .normal = {},
-                               .spectra = {},
-                               .u_choice = {},
-                               .u = {},
-                               .count = kLanes};
+    LightReferenceLanes packet{
+        .place = {broadcast<Lanes>(at.position), {}}, .groups = {}, .u_choice = {}, .u = {}, .count = kLanes};
+    packet.groups.fill(groups);
     for (int i = 0; i < kLanes; ++i) {
       const SampleStream stream(Sequence::independent, 8, k, static_cast<std::uint32_t>(i));
       const Sample2d u = stream.get_2d(1);
@@ -350,10 +351,10 @@ TEST(LightSampler, EveryKindFollowsItsDensity) {
       ++observed[kind];
       ASSERT_NEAR(s->pdf, pdf[kind], 1e-4 * pdf[kind]) << kind;
       if (kind == 0) {
-        ASSERT_NEAR(lights.pdf(at, {}, 0, s->triangle, s->distance), s->pdf, 1e-4f * s->pdf);
+        ASSERT_NEAR(lights.pdf(at, groups, 0, s->triangle, s->distance), s->pdf, 1e-4f * s->pdf);
       }
       if (kind == 4) {
-        ASSERT_NEAR(lights.environment_pdf(at, {}, s->direction), s->pdf, 1e-4f * s->pdf);
+        ASSERT_NEAR(lights.environment_pdf(at, groups, s->direction), s->pdf, 1e-4f * s->pdf);
       }
     }
   }
@@ -380,7 +381,7 @@ TEST(LightSampler, DarkAndDegenerateLampsAreNotChosen) {
   b.floor({0, 0, 2}, 1, 1, b.lamp(d65(), 1e-6));
   const LightSampler lights = lights_of(b.build());
   ASSERT_FALSE(lights.empty());
-  EXPECT_FALSE(lights.several_spectra());
+  EXPECT_FALSE(lights.several_groups());
   for (double u : {0.0, 0.5, 1.0 - 0x1p-32}) {
     const auto s = sample_one(lights, {{0, 0, 3}, {}}, {}, u, {0.3f, 0.6f});
     ASSERT_TRUE(s);
