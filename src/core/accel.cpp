@@ -126,8 +126,12 @@ void Accel::occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
     alignas(64) RTCRay16 query;
     alignas(64) std::array<int, kLanes> valid;
     store(query.tfar, load(rays, packet, query, valid));
-    tree_->occluded(valid.data(), query);
-    for (int i = 0; i < packet.count; ++i) blocked[packet[i]] = query.tfar[i] < 0.0f;
+    store(query.id, kLaneNumbers);
+    const std::uint32_t met_panes = tree_->occluded(valid.data(), query);
+    for (int i = 0; i < packet.count; ++i) {
+      const bool meets_pane = (met_panes >> i & 1u) != 0;
+      blocked[packet[i]] = query.tfar[i] < 0.0f ? kBlocked : meets_pane ? kByPanes : kClear;
+    }
   }
 }
 

@@ -41,6 +41,13 @@ struct alignas(32) Hit {
   float t = 0;                           ///< in lengths of the ray's direction
 };
 
+/// What is in a shadow ray's way.
+enum Shadow : std::uint8_t {
+  kClear,    ///< nothing
+  kBlocked,  ///< something but panes
+  kByPanes,  ///< panes alone: Surface::is_pane
+};
+
 struct Surface;
 
 /// The bounding volume hierarchy: the only home of Embree (3.13 or 4).
@@ -64,7 +71,7 @@ class Accel {
   void intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits,
                  bool coherent = false) const;
 
-  /// Whether something lies at 0 < t < t_max, 1 or 0 a slot.
+  /// Whether something lies at 0 < t < t_max: a Shadow a slot.
   void occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
                 std::span<std::uint8_t> blocked) const;
 

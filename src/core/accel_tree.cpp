@@ -36,7 +36,7 @@ RTCSceneFlags scene_flags(bool finds_crossings) {
 
 }  // namespace
 
-/// What lets rays through a shape that covers in part.
+/// What lets rays through a shape that covers in part, and shadow rays through panes.
 struct Accel::Tree::Sieve {
   const Geometry& geometry;
   const Surface& surface;
@@ -55,10 +55,22 @@ struct Accel::Tree::Sieve {
     }
   }
 
+  static void filter_shadow(const RTCFilterFunctionNArguments* a) {
+    const Surface& surface = static_cast<const Sieve*>(a->geometryUserPtr)->surface;
+    if (surface.partly_covers) filter(a);
+    if (!surface.is_pane) return;
+    auto& shadow = *reinterpret_cast<ShadowContext*>(a->context);
+    for (unsigned i = 0; i < a->N; ++i) {
+      if (a->valid[i] == 0) continue;
+      shadow.met_panes |= 1u << RTCRayN_id(a->ray, a->N, i);
+      a->valid[i] = 0;
+    }
+  }
+
   void attach(RTCGeometry mesh) {
     rtcSetGeometryUserData(mesh, this);
-    rtcSetGeometryIntersectFilterFunction(mesh, filter);
-    rtcSetGeometryOccludedFilterFunction(mesh, filter);
+    if (surface.partly_covers) rtcSetGeometryIntersectFilterFunction(mesh, filter);
+    rtcSetGeometryOccludedFilterFunction(mesh, filter_shadow);
   }
 };
 
@@ -126,7 +138,8 @@ void Accel::Tree::attach_shapes(RTCScene to, const Geometry& geometry, std::span
                                 std::size_t first, std::size_t count) {
   for (std::size_t i = first; i < first + count; ++i) {
     RTCGeometry mesh = new_mesh(geometry, i);
-    if (const Surface& surface = surfaces[geometry.shapes[i].material]; surface.partly_covers) {
+    if (const Surface& surface = surfaces[geometry.shapes[i].material];
+        surface.partly_covers || surface.is_pane) {
       sieves_.push_back(std::make_unique<Sieve>(Sieve{geometry, surface, ranges_[i]}));
       sieves_.back()->attach(mesh);
     }

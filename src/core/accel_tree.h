@@ -6,6 +6,7 @@
 #include <embree3/rtcore.h>
 #endif
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -64,18 +65,34 @@ class Accel::Tree {
 #endif
   }
 
-  void occluded(const int* valid, RTCRay16& query) const {
+  /// @return bits of the lanes that met panes
+  std::uint32_t occluded(const int* valid, RTCRay16& query) const {
+    ShadowContext shadow{{}, 0};
 #if RTC_VERSION_MAJOR >= 4
-    rtcOccluded16(valid, scene(), &query);
+    rtcInitRayQueryContext(&shadow.context);
+    RTCOccludedArguments arguments;
+    rtcInitOccludedArguments(&arguments);
+    arguments.context = &shadow.context;
+    rtcOccluded16(valid, scene(), &query, &arguments);
 #else
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcOccluded16(valid, scene(), &context, &query);
+    rtcInitIntersectContext(&shadow.context);
+    rtcOccluded16(valid, scene(), &shadow.context, &query);
 #endif
+    return shadow.met_panes;
   }
 
  private:
   struct Sieve;
+
+  /// Embree hands its first member to filters.
+  struct ShadowContext {
+#if RTC_VERSION_MAJOR >= 4
+    RTCRayQueryContext context;
+#else
+    RTCIntersectContext context;
+#endif
+    std::uint32_t met_panes;  ///< bits of the rays' ids
+  };
 
   SceneHandle new_scene() const;
   void attach(RTCScene to, RTCGeometry made) const;

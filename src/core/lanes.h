@@ -198,6 +198,8 @@ PHOTOPIC_INLINE std::array<Lanes, n> rows_of(std::array<Lanes, n> columns) {
   return columns;
 }
 
+inline constexpr UintLanes kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+
 /// Which paths' numbers stand in the lanes: up to 16 slots of a batch. Unused lanes repeat the first.
 struct Packet {
   std::array<std::uint32_t, kLanes> slot;
@@ -212,10 +214,7 @@ struct Packet {
   std::uint32_t operator[](int lane) const { return slot[static_cast<std::size_t>(lane)]; }
 
   /// The mask of the lanes in use.
-  IntLanes used() const {
-    constexpr IntLanes kLane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-    return kLane < count;
-  }
+  IntLanes used() const { return reinterpret_cast<IntLanes>(kLaneNumbers) < count; }
 };
 
 inline Lanes gather(const float* from, const Packet& packet) {

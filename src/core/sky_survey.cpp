@@ -114,7 +114,7 @@ void look(const Sky& sky, const Accel& accel, const Site& site, std::uint32_t nu
   std::vector<std::uint8_t> blocked(glimpses.size());
   accel.occluded(rays, slots, blocked);
   for (const std::uint32_t i : slots)
-    if (blocked[i]) glimpses[i].seen = 0.0f;
+    if (blocked[i] == kBlocked) glimpses[i].seen = 0.0f;
 }
 
 }  // namespace

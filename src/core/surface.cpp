@@ -1,5 +1,7 @@
 #include "core/surface.h"
 
+#include "core/bsdf/microfacet.h"
+
 namespace photopic {
 namespace {
 
@@ -22,6 +24,12 @@ bool has_partial_alpha(const Material& m) {
 bool may_transmit(const Material& m) {
   return m.transmission > 0.0f &&
          (m.metallic < 1.0f || has_texture(m, &MaterialTextures::metallic_roughness));
+}
+
+/// Of index 0 it is a mirror.
+bool may_be_pane(const Material& m) {
+  return may_transmit(m) && m.thin_walled && m.ior != 0.0f &&
+         (sqr(m.roughness) < kSmoothAlpha || has_texture(m, &MaterialTextures::metallic_roughness));
 }
 
 /// Of a lamp, as a rule.
@@ -61,6 +69,7 @@ Surface::Surface(const Material& m)
       solid(!m.thin_walled),
       encloses(transmits && solid && m.ior != 0.0f),
       lets_through(transmits || m.extensions.diffuse_transmission > 0.0f),
+      is_pane(may_be_pane(m)),
       base_varies(!m.unlit && (m.has_vertex_colors || has_texture(m, &MaterialTextures::base_color))),
       emission_varies(has_texture(m, &MaterialTextures::emissive) || m.unlit),
       maps_normals(has_texture(m, &MaterialTextures::normal)),

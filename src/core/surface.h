@@ -31,6 +31,7 @@ struct Surface {
   bool solid;         ///< transmission refracts
   bool encloses;      ///< a medium that rays can enter
   bool lets_through;  ///< light may go on behind it
+  bool is_pane;       ///< a thin wall that may let light pass straight on, being smooth somewhere
   bool base_varies, emission_varies;
   bool maps_normals;
   bool coat_has_normals;  ///< clearcoat whose normals differ from the base's

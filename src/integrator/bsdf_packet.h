@@ -12,8 +12,8 @@ template <int N>
 struct DirectionSamples {
   Vec3Lanes wi{};
   SpectrumLanes<N> weight{0.0f};
-  Lanes pdf{}, eta = Lanes{} + 1.0f;  ///< pdf is 0 of a delta
-  IntLanes found{}, split{};          ///< masks
+  Lanes pdf{}, eta = Lanes{} + 1.0f;      ///< pdf is 0 of a delta
+  IntLanes found{}, split{}, straight{};  ///< masks
 };
 
 /// The BSDFs of up to 16 paths, made and asked one by one.
@@ -26,14 +26,12 @@ class OneByOne {
     for (int i = 0; i < packet.count; ++i) bsdf_[static_cast<std::size_t>(i)].emplace(make(i));
   }
 
-  /// Whether no lane has a value to evaluate.
-  bool are_delta(const Packet& packet) const {
-    if constexpr (requires(const Bsdf& b) { b.is_delta(); }) {
-      for (int i = 0; i < packet.count; ++i)
-        if (!bsdf_of(i).is_delta()) return false;
-      return true;
-    }
-    return false;
+  /// The lanes that have no value to evaluate.
+  IntLanes deltas(const Packet& packet) const {
+    IntLanes result{};
+    if constexpr (requires(const Bsdf& b) { b.is_delta(); })
+      for (int i = 0; i < packet.count; ++i) result[i] = bsdf_of(i).is_delta() ? -1 : 0;
+    return result;
   }
 
   /// @param asked mask of the lanes whose value matters; the others' are zero
@@ -57,6 +55,7 @@ class OneByOne {
       weight[static_cast<std::size_t>(i)] = s->weight;
       samples.pdf[i] = s->delta ? 0.0f : s->pdf, samples.eta[i] = s->eta;
       samples.found[i] = -1, samples.split[i] = s->split ? -1 : 0;
+      samples.straight[i] = s->straight ? -1 : 0;
     }
     samples.weight = to_lanes<N>(weight);
     return samples;
@@ -74,7 +73,7 @@ class InLanes {
  public:
   InLanes(const auto& material, const Vec3Lanes& wo) : bsdf_(material, wo) {}
 
-  bool are_delta(const Packet&) const { return false; }
+  IntLanes deltas(const Packet&) const { return IntLanes{}; }
 
   BasicBsdfValue<N, Lanes> evaluate(const Vec3Lanes& wi, IntLanes asked) const {
     BasicBsdfValue<N, Lanes> value = bsdf_.evaluate(wi);
@@ -89,7 +88,8 @@ class InLanes {
             .pdf = select(draw.delta, Lanes{}, draw.pdf),
             .eta = Lanes{} + 1.0f,
             .found = draw.found & packet.used(),
-            .split = IntLanes{}};
+            .split = IntLanes{},
+            .straight = IntLanes{}};
   }
 
  private:

@@ -10,6 +10,7 @@
 #include "core/prepared_scene.h"
 #include "integrator/emission_array.h"
 #include "integrator/media.h"
+#include "integrator/panes.h"
 #include "integrator/path_start.h"
 #include "integrator/slot_queue.h"
 #include "spectral/path_wavelengths.h"
@@ -61,9 +62,9 @@ struct PathBatch {
         shadow_rays(capacity),
         shadow_radiance(capacity),
         blocked(capacity),
+        by_delta_light(has_panes(scene) ? capacity : 0),
         active(capacity),
         shadowed(capacity),
-        pane_shadowed(capacity),
         sorted(capacity),
         bucket(capacity) {}
 
@@ -102,7 +103,8 @@ struct PathBatch {
   std::vector<PathMedia> media;  ///< empty where the scene has none
 
   /// The last vertex's position [m] (where rays start is a little off it), and the density of the direction
-  /// in which the path went on from there [1/sr]; 0: it was a delta, or the camera's.
+  /// in which the path went on from there [1/sr]; 0: it was a delta, or the camera's. Panes that it passed
+  /// since are none.
   RowArray vertex;
   RowArray normal;  ///< of the last vertex, and bits of its view of the sky, where lights are chosen by them
   std::size_t groups;                  ///< of lights
@@ -112,14 +114,14 @@ struct PathBatch {
   // Light samples of this depth.
   RayArray shadow_rays;
   std::vector<SampledSpectrum<N>> shadow_radiance;  ///< arrives when the ray is not blocked
-  std::vector<std::uint8_t> blocked;
+  std::vector<std::uint8_t> blocked;                ///< Shadow
+  std::vector<std::uint8_t> by_delta_light;         ///< 1 or 0; empty where the scene has no panes
 
   // Slots at work.
   SlotQueue active;
   SlotQueue shadowed;
-  SlotQueue pane_shadowed;            ///< of those, whose lights are found by shadow rays alone
-  std::vector<std::uint32_t> sorted;  ///< the active by their BSDFs
-  std::vector<std::uint8_t> bucket;   ///< of each of the active
+  std::vector<std::uint32_t> sorted;                               ///< the active by their BSDFs
+  std::vector<std::uint8_t> bucket;                                ///< of each of the active
   std::array<std::span<const std::uint32_t>, kBsdfKinds> by_kind;  ///< parts of the sorted
 };
 

@@ -50,9 +50,8 @@ void PathTracer<N, kHas>::advance(std::span<const PathKey> paths) {
     done(kStageSort);
     batch_.active.clear();
     batch_.shadowed.clear();
-    batch_.pane_shadowed.clear();
     stats_.split_paths += shading_.shade(batch_, depth, watch_);
-    trace_shadow_rays();
+    trace_shadow_rays(depth);
     done(kStageShadow);
   }
 }
@@ -143,7 +142,7 @@ void PathTracer<N, kHas>::absorb_and_emit() {
     float weight = surface.emission_luminance;
     if (const float pdf = batch_.vertex.w(slot); pdf != 0.0f)
       weight *= power_heuristic(pdf, scene_.lights.pdf(batch_.vertex_of(slot), batch_.groups_of(slot),
-                                                       hit.shape, hit.triangle, hit.t));
+                                                       hit.shape, hit.triangle, flight(slot)));
     SampledSpectrum<N> emitted = batch_.emission(slot, surface.emission_spectrum);
     if (kHas.textures && surface.emission_varies)
       emitted *=
@@ -192,19 +191,32 @@ void PathTracer<N, kHas>::prefetch_texels() {
 }
 
 template <int N, Features kHas>
-void PathTracer<N, kHas>::trace_shadow_rays() {
+void PathTracer<N, kHas>::trace_shadow_rays(int depth) {
   scene_.accel.occluded(batch_.shadow_rays, batch_.shadowed, batch_.blocked);
   stats_.shadow_rays += batch_.shadowed.size();
-  batch_.shadowed.keep_if([&](std::uint32_t slot) { return !batch_.blocked[slot]; });
+  batch_.shadowed.keep_if([&](std::uint32_t slot) { return batch_.blocked[slot] != kBlocked; });
   if (hides_lamps_) batch_.shadowed.keep_if([&](std::uint32_t slot) { return !is_hidden_lamp(slot); });
-  for (const std::uint32_t slot : batch_.shadowed) batch_.radiance[slot] += batch_.shadow_radiance[slot];
-  for (const std::uint32_t slot : batch_.pane_shadowed) {
-    if (!batch_.blocked[slot]) continue;
-    const RayArray& rays = batch_.shadow_rays;
-    batch_.radiance[slot] +=
-        batch_.shadow_radiance[slot] *
-        through_panes(scene_, rays[slot], rays.t_max(slot), batch_.wavelengths[slot].lambda);
+  for (const std::uint32_t slot : batch_.shadowed) {
+    if (!batch_.by_delta_light.empty() && batch_.blocked[slot] == kByPanes) dim_by_panes(slot, depth);
+    batch_.radiance[slot] += batch_.shadow_radiance[slot];
   }
+}
+
+/// As far as BSDF sampling, which meets each pane as a surface, would find the light; or no path would.
+template <int N, Features kHas>
+void PathTracer<N, kHas>::dim_by_panes(std::uint32_t slot, int depth) {
+  const int most = batch_.by_delta_light[slot] ? kMostPanes : options_.max_depth - depth - 1;
+  const RayArray& rays = batch_.shadow_rays;
+  batch_.shadow_radiance[slot] *=
+      through_panes(scene_, rays[slot], rays.t_max(slot), batch_.wavelengths[slot].lambda, most);
+}
+
+/// From the last vertex to the hit, through panes [m].
+template <int N, Features kHas>
+float PathTracer<N, kHas>::flight(std::uint32_t slot) const {
+  const float last = batch_.hits[slot].t;
+  if (batch_.by_delta_light.empty()) return last;
+  return last + length(batch_.rays.origin[slot] - batch_.vertex[slot]);
 }
 
 // What other files use: of the whole class, members that they define would be weak references, which

@@ -44,7 +44,9 @@ class PathTracer {
   BsdfKind choose_kind(std::uint32_t slot, int depth) const;
   void sort_by_bsdf(int depth);
   void prefetch_texels();
-  void trace_shadow_rays();
+  void trace_shadow_rays(int depth);
+  void dim_by_panes(std::uint32_t slot, int depth);
+  float flight(std::uint32_t slot) const;
   /// A path whose last ray could not be traced is lost, whatever it had gathered.
   bool is_lost(std::size_t slot) const { return !is_traceable(batch_.rays[slot]); }
   void finish(std::span<const PathKey> paths, Film& film);

@@ -42,8 +42,8 @@ std::uint64_t ShadingStage<N, kHas>::shade(PathBatch<N>& batch, BsdfKind kind, i
     const Packet packet(slots, first);
     const VertexPacket<N, Bsdf, kHas> vertices(scene_, batch, packet);
     const SampleStreamLanes stream = batch.stream.gather(packet);
-    if (!scene_.lights.empty() && !vertices.bsdfs->are_delta(packet))
-      sample_lights(batch, packet, depth, stream, vertices);
+    const IntLanes lit = packet.used() & ~vertices.bsdfs->deltas(packet);
+    if (!scene_.lights.empty() && any(lit)) sample_lights(batch, packet, depth, stream, vertices, lit);
     split += sample_directions(batch, packet, depth, stream, vertices);
   }
   return split;
@@ -80,7 +80,8 @@ template <int N, Features kHas>
 template <typename Bsdf>
 LightSampleLanes ShadingStage<N, kHas>::choose_lights(PathBatch<N>& batch, const Packet& packet, int depth,
                                                       const SampleStreamLanes& stream,
-                                                      const VertexPacket<N, Bsdf, kHas>& vertices) const {
+                                                      const VertexPacket<N, Bsdf, kHas>& vertices,
+                                                      IntLanes wanted) const {
   const Sample2dLanes u = stream.get_2d(bounce_dimension(depth, kLightPoint));
   LightSampleLanes lights;
   if (!kHas.several_lights || scene_.lights.has_only_light()) {
@@ -94,12 +95,16 @@ LightSampleLanes ShadingStage<N, kHas>::choose_lights(PathBatch<N>& batch, const
                          .count = packet.count};
   if (!Bsdf::kLitFromBehind) at.place.normal = vertices.frame.n;
   if (scene_.lights.views_differ()) at.place.view = scene_.lights.view_at(at.place);
-  if (scene_.lights.uses_normals())
-    batch.normal.scatter(packet, rows_of(at.place.normal, std::bit_cast<Lanes>(at.place.view)));
+  // Panes must leave what the vertex before them has stored.
+  if (scene_.lights.uses_normals()) {
+    const auto rows = rows_of(at.place.normal, std::bit_cast<Lanes>(at.place.view));
+    for_each_lane(wanted, [&](int i) { batch.normal.set(packet[i], rows[static_cast<std::size_t>(i)]); });
+  }
   if (scene_.lights.several_groups()) {
     const LightSampler::GroupShares shares = scene_.lights.group_shares(at.place);
-    for (int i = 0; i < packet.count; ++i)
+    for_each_lane(wanted, [&](int i) {
       at.groups[static_cast<std::size_t>(i)] = weigh_groups(batch, packet[i], shares, i);
+    });
   }
   scene_.lights.sample(at, lights);
   return lights;
@@ -110,13 +115,12 @@ template <int N, Features kHas>
 template <typename Bsdf>
 void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& packet, int depth,
                                           const SampleStreamLanes& stream,
-                                          const VertexPacket<N, Bsdf, kHas>& vertices) {
-  const LightSampleLanes lights = choose_lights(batch, packet, depth, stream, vertices);
+                                          const VertexPacket<N, Bsdf, kHas>& vertices, IntLanes wanted) {
+  const LightSampleLanes lights = choose_lights(batch, packet, depth, stream, vertices, wanted);
 
   // What does the BSDF make of it?
   const Vec3Lanes local = vertices.frame.to_local(lights.direction);
-  const IntLanes candidates =
-      lights.reached & vertices.sides_agree(lights.direction, local.z) & packet.used();
+  const IntLanes candidates = lights.reached & vertices.sides_agree(lights.direction, local.z) & wanted;
   const auto value = vertices.bsdfs->evaluate(local, candidates);
   const Lanes mis = select(lights.delta != 0, Lanes{} + 1.0f, power_heuristic(lights.pdf, value.pdf));
   const Lanes weight = lights.radiance * mis / lights.pdf;
@@ -154,7 +158,7 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
     batch.shadow_rays.origin.set(slot, origins[k]);
     batch.shadow_rays.direction.set(slot, directions[k]);
     batch.shadowed.push(slot);
-    if (has_panes_ && lane(lights.delta, i)) batch.pane_shadowed.push(slot);
+    if (!batch.by_delta_light.empty()) batch.by_delta_light[slot] = lane(lights.delta, i) ? 1 : 0;
   });
 }
 
@@ -186,7 +190,7 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
     batch.throughput[slot] = by_path[k];
     batch.rays.origin.set(slot, origins[k]);
     batch.rays.direction.set(slot, directions[k]);
-    batch.vertex.set(slot, positions[k]);
+    if (!lane(samples.straight, i)) batch.vertex.set(slot, positions[k]);
     if (kHas.media) batch.eta_scale[slot] = lane(eta_scale, i);
     if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(lane(inwards, i));
     batch.active.push(slot);

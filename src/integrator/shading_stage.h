@@ -1,7 +1,6 @@
 #pragma once
 
 #include "integrator/features.h"
-#include "integrator/panes.h"
 #include "integrator/stage_watch.h"
 #include "integrator/vertex_packet.h"
 
@@ -12,8 +11,7 @@ namespace photopic {
 template <int N, Features kHas>
 class ShadingStage {
  public:
-  explicit ShadingStage(const PreparedScene& scene)
-      : scene_(scene), has_panes_(has_panes_before_lights(scene)) {}
+  explicit ShadingStage(const PreparedScene& scene) : scene_(scene) {}
 
   /// Takes the slots of batch.by_kind; leaves shadow rays in batch.shadowed, paths that go on in
   /// batch.active.
@@ -29,18 +27,17 @@ class ShadingStage {
                                std::uint32_t triangle, Vec3f position) const;
   template <typename Bsdf>
   LightSampleLanes choose_lights(PathBatch<N>& batch, const Packet& packet, int depth,
-                                 const SampleStreamLanes& stream,
-                                 const VertexPacket<N, Bsdf, kHas>& vertices) const;
+                                 const SampleStreamLanes& stream, const VertexPacket<N, Bsdf, kHas>& vertices,
+                                 IntLanes wanted) const;
   template <typename Bsdf>
   void sample_lights(PathBatch<N>& batch, const Packet& packet, int depth, const SampleStreamLanes& stream,
-                     const VertexPacket<N, Bsdf, kHas>& vertices);
+                     const VertexPacket<N, Bsdf, kHas>& vertices, IntLanes wanted);
   template <typename Bsdf>
   std::uint64_t sample_directions(PathBatch<N>& batch, const Packet& packet, int depth,
                                   const SampleStreamLanes& stream,
                                   const VertexPacket<N, Bsdf, kHas>& vertices);
 
   const PreparedScene& scene_;
-  bool has_panes_;
 };
 
 }  // namespace photopic

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <memory>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 
@@ -59,15 +60,36 @@ Context make_context(std::uint32_t flags) {
   return context;
 }
 
-OcclusionContext make_occlusion_context(std::uint32_t flags) {
-  OcclusionContext context;
+/// A packet as Embree takes it.
+struct alignas(64) Query {
+  RTCRayHit16 rays;
+  std::array<int, kPacketSize> valid;
+};
+
+/// With room for what the renderer's filters note behind Embree's own part.
+struct ShadowContext {
 #if RTC_VERSION_MAJOR >= 4
-  rtcInitOccludedArguments(&context);
+  RTCRayQueryContext context;
 #else
-  rtcInitIntersectContext(&context);
+  RTCIntersectContext context;
 #endif
-  context.flags = static_cast<decltype(context.flags)>(flags);
-  return context;
+  std::array<std::uint32_t, 4> notes{};
+};
+
+void call_occluded16(RTCScene scene, std::uint32_t flags, Query& query) {
+  ShadowContext shadow;
+#if RTC_VERSION_MAJOR >= 4
+  rtcInitRayQueryContext(&shadow.context);
+  OcclusionContext arguments;
+  rtcInitOccludedArguments(&arguments);
+  arguments.context = &shadow.context;
+  OcclusionContext* context = &arguments;
+#else
+  rtcInitIntersectContext(&shadow.context);
+  OcclusionContext* context = &shadow.context;
+#endif
+  context->flags = static_cast<decltype(context->flags)>(flags);
+  call_occluded16(query.valid.data(), scene, context, &query.rays.ray);
 }
 
 template <typename AnyContext>
@@ -91,12 +113,6 @@ RayPacket make_packet(const int* valid, const RTCRay16& r, std::uint32_t flags, 
   return p;
 }
 
-/// A packet as Embree takes it.
-struct alignas(64) Query {
-  RTCRayHit16 rays;
-  std::array<int, kPacketSize> valid;
-};
-
 void load(const RayPacket& p, Query& query) {
   RTCRay16& r = query.rays.ray;
   std::ranges::copy(p.org_x, r.org_x), std::ranges::copy(p.org_y, r.org_y),
@@ -107,6 +123,7 @@ void load(const RayPacket& p, Query& query) {
   std::fill_n(r.time, kPacketSize, 0.0f);
   std::fill_n(r.mask, kPacketSize, ~0u);
   std::fill_n(r.flags, kPacketSize, 0u);
+  std::iota(r.id, r.id + kPacketSize, 0u);
   std::fill_n(query.rays.hit.geomID, kPacketSize, RTC_INVALID_GEOMETRY_ID);
   for (auto& ids : query.rays.hit.instID) std::fill_n(ids, kPacketSize, RTC_INVALID_GEOMETRY_ID);
   for (std::size_t i = 0; i < kPacketSize; ++i) query.valid[i] = (p.valid >> i & 1u) != 0 ? -1 : 0;
@@ -114,8 +131,7 @@ void load(const RayPacket& p, Query& query) {
 
 void call(RTCScene scene, const RayPacket& packet, Query& query) {
   if (packet.shadow) {
-    OcclusionContext context = make_occlusion_context(packet.flags);
-    call_occluded16(query.valid.data(), scene, &context, &query.rays.ray);
+    call_occluded16(scene, packet.flags, query);
   } else {
     Context context = make_context(packet.flags);
     call_intersect16(query.valid.data(), scene, &context, &query.rays);

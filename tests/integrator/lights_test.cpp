@@ -179,8 +179,8 @@ TEST(EnvironmentLight, Furnace) {
 }
 
 /// A floor in a black box, under a hole of 0.2 × 0.2 m in its ceiling 1 m above. @param lamp_luminance of a
-/// lamp beside the hole [cd/m²]
-Scene floor_under_a_hole(double lamp_luminance) {
+/// lamp beside the hole [cd/m²] @param glazed whether a pane lies on it, of index 1: as if it were none
+Scene floor_under_a_hole(double lamp_luminance, bool glazed) {
   SceneBuilder b;
   const auto grey = b.material(diffuse(ConstantSpectrum{0.5})),
              black = b.material(diffuse(ConstantSpectrum{0.0}));
@@ -192,6 +192,7 @@ Scene floor_under_a_hole(double lamp_luminance) {
     b.quad({-2, 2 * side, 0}, {2, 2 * side, 0}, {2, 2 * side, 1}, {-2, 2 * side, 1}, black);
   }
   b.ceiling({0.3, 0, 0.99}, 0.1, 0.1, b.lamp(d65(), lamp_luminance));
+  if (glazed) b.ceiling({0, 0, 1.05}, 0.3, 0.3, b.material(thin_glass(1.0f, 0.0f)));
   b.camera({0, 0, 0.9}, {0, 0, 0}, 2, 4, 4);
   return b.build();
 }
@@ -208,14 +209,15 @@ double square_overhead(double x0, double x1, double y0, double y1) {
   return std::abs(sum);
 }
 
-/// Sky through a small hole is found as surely as a lamp is; where none is seen, lamps are.
+/// Sky through a small hole, or window, is found as surely as a lamp is.
 TEST(EnvironmentLight, IsLookedForWhereItIsSeen) {
   const double hole = square_overhead(-0.1, 0.1, -0.1, 0.1), lamp = square_overhead(0.2, 0.4, -0.1, 0.1);
-  for (const double lamp_luminance : {0.0, 5.0}) {
-    Scene scene = floor_under_a_hole(lamp_luminance);
+  for (const auto& [lamp_luminance, glazed] :
+       {std::pair{0.0, false}, {0.0, true}, {5.0, false}, {5.0, true}}) {
+    Scene scene = floor_under_a_hole(lamp_luminance, glazed);
     scene.environment = std::make_shared<const Environment>(constant_sky(3.0f, 0));
     // Looking everywhere would leave an error of 0.1.
-    expect_luminance(render_finite(PreparedScene(scene), 4000, 2),
+    expect_luminance(render_finite(PreparedScene(scene), 4000, 3),
                      0.5 / kPiD * (3.0 * hole + lamp_luminance * lamp), "hole", 1e-3);
   }
 }
@@ -274,6 +276,43 @@ TEST(EnvironmentLight, Oracle) {
   const RenderResult simple = render_naive(scene, sampler, o);
   expect_same_image(clever.film, simple.film, 2, "environment");
   EXPECT_LT(luminance(clever.film).error, 0.005 * luminance(clever.film).mean);
+}
+
+/// A room behind two panes, one of them tinted and in part opaque, with a lamp and a sky before them, a
+/// second lamp in the room and a rough and a smooth pane that meet one kind of packet. @param max_depth ends
+/// some paths at the panes
+void expect_light_through_panes(int max_depth) {
+  SceneBuilder b;
+  const auto white = b.material(diffuse(ConstantSpectrum{0.7}));
+  b.floor({0, 0, 0}, 1, 1, white);
+  b.quad({-1, 1, 0}, {1, 1, 0}, {1, 1, 2}, {-1, 1, 2}, white);
+  b.quad({-1, -1, 0}, {-1, 1, 0}, {-1, 1, 2}, {-1, -1, 2}, white);
+  b.ceiling({0, 0, 2}, 1, 1, b.material(thin_glass(1.5f, 0.0f)));
+  Material tinted = thin_glass(1.5f, 0.0f);
+  tinted.base_color = upsample_reflectance({0.3, 0.6, 0.8}), tinted.transmission = 0.8f;
+  b.ceiling({0, 0, 2.1}, 0.6, 1, b.material(tinted));
+  b.quad({-0.5, -0.5, 0.3}, {0.5, -0.5, 0.3}, {0.5, 0.2, 0.9}, {-0.5, 0.2, 0.9},
+         b.material(thin_glass(1.5f, 0.3f)));
+  b.quad({-0.9, 0.4, 0.1}, {0.9, 0.4, 0.1}, {0.9, 0.4, 0.6}, {-0.9, 0.4, 0.6},
+         b.material(thin_glass(1.5f, 0.0f)));
+  b.ceiling({0.2, 0.1, 3}, 0.4, 0.4, b.lamp(fl11(), 6.0));
+  b.ceiling({-0.5, 0.5, 1.5}, 0.1, 0.1, b.lamp(BlackbodySpectrum{2700}, 8.0, true));
+  b.camera({0, -2.5, 1.2}, {0, 0, 0.6}, 50, 16, 16);
+  const int spectrum = b.emission(d65());
+  Scene built = b.build();
+  built.environment = std::make_shared<const Environment>(constant_sky(0.5f, spectrum));
+  const PreparedScene scene(built);
+  const IlluminantWavelengths sampler{4, base_density(scene_emission(scene))};
+  RenderOptions o{.spp = 2000, .sequence = Sequence::independent, .seed = 11, .max_depth = max_depth};
+  const RenderResult clever = render(scene, sampler, o);
+  o.seed = 12, o.spp = 6000;
+  expect_same_image(clever.film, render_naive(scene, sampler, o).film, 4, "panes");
+  EXPECT_EQ(clever.stats.non_finite, 0u);
+}
+
+/// Both techniques find lamps and sky through panes: their weights must add up, at every depth.
+TEST(Panes, Oracle) {
+  for (const int max_depth : {2, 3, 4, 9}) expect_light_through_panes(max_depth);
 }
 
 /// A room with 300 lamps. @param make_lamps their materials

@@ -30,6 +30,7 @@ struct BsdfSample {
   bool delta;                 ///< no other technique can find wi
   float eta = 1.0f;           ///< ratio of refractive indices crossed, η_t/η_i
   bool split = false;         ///< the direction is one wavelength's: the weights of all others are zero
+  bool straight = false;      ///< of a delta: the path goes on as it came, as shadow rays do
 };
 
 /// A BsdfSample that reflects, or one in each lane, where there is one.

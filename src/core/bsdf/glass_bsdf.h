@@ -63,7 +63,7 @@ class GlassBsdf {
         s.pdf = (reflected ? f : 1.0f - f) * visible_pdf(m) / (4.0f * dot(wo_, m));
         s.weight *= ggx_.g2(wo_, s.wi) / g1_;
       }
-      if (!reflected) s.wi.z = -s.wi.z;
+      if (!reflected) s.wi.z = -s.wi.z, s.straight = s.delta;
     } else {
       s.wi = refract(wo_, m, eta_);
       if (s.wi.z >= 0.0f) return {};

@@ -126,7 +126,7 @@ class SpectralGlassBsdf {
 
   std::optional<BsdfSample<N>> pass(Vec3f m, SampledSpectrum<N> weight) const {
     auto s = bounce(m, weight);
-    if (s) s->wi.z = -s->wi.z;
+    if (s) s->wi.z = -s->wi.z, s->straight = is_delta();
     return s;
   }
 

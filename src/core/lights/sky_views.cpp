@@ -8,8 +8,8 @@ float choose(const std::array<float, 6>& key, std::int32_t axis) {
   return key[static_cast<std::size_t>(axis)];
 }
 Lanes choose(const std::array<Lanes, 6>& key, IntLanes axis) {
-  constexpr IntLanes kLane{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-  return gather(reinterpret_cast<const float*>(key.data()), axis * kLanes + kLane);
+  return gather(reinterpret_cast<const float*>(key.data()),
+                axis * kLanes + reinterpret_cast<IntLanes>(kLaneNumbers));
 }
 
 }  // namespace
