@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -128,10 +129,9 @@ void Accel::occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
     store(query.tfar, load(rays, packet, query, valid));
     store(query.id, kLaneNumbers);
     const std::uint32_t met_panes = tree_->occluded(valid.data(), query);
-    for (int i = 0; i < packet.count; ++i) {
-      const bool meets_pane = (met_panes >> i & 1u) != 0;
-      blocked[packet[i]] = query.tfar[i] < 0.0f ? kBlocked : meets_pane ? kByPanes : kClear;
-    }
+    for (int i = 0; i < packet.count; ++i) blocked[packet[i]] = query.tfar[i] < 0.0f ? kBlocked : kClear;
+    for (std::uint32_t bits = met_panes; bits != 0; bits &= bits - 1)
+      if (std::uint8_t& shadow = blocked[packet[std::countr_zero(bits)]]; shadow == kClear) shadow = kByPanes;
   }
 }
 

@@ -196,10 +196,10 @@ void PathTracer<N, kHas>::trace_shadow_rays(int depth) {
   stats_.shadow_rays += batch_.shadowed.size();
   batch_.shadowed.keep_if([&](std::uint32_t slot) { return batch_.blocked[slot] != kBlocked; });
   if (hides_lamps_) batch_.shadowed.keep_if([&](std::uint32_t slot) { return !is_hidden_lamp(slot); });
-  for (const std::uint32_t slot : batch_.shadowed) {
-    if (!batch_.by_delta_light.empty() && batch_.blocked[slot] == kByPanes) dim_by_panes(slot, depth);
-    batch_.radiance[slot] += batch_.shadow_radiance[slot];
-  }
+  if (!batch_.by_delta_light.empty())
+    for (const std::uint32_t slot : batch_.shadowed)
+      if (batch_.blocked[slot] == kByPanes) dim_by_panes(slot, depth);
+  for (const std::uint32_t slot : batch_.shadowed) batch_.radiance[slot] += batch_.shadow_radiance[slot];
 }
 
 /// As far as BSDF sampling, which meets each pane as a surface, would find the light; or no path would.

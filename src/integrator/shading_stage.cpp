@@ -190,7 +190,7 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
     batch.throughput[slot] = by_path[k];
     batch.rays.origin.set(slot, origins[k]);
     batch.rays.direction.set(slot, directions[k]);
-    if (!lane(samples.straight, i)) batch.vertex.set(slot, positions[k]);
+    if (!Bsdf::kLitFromBehind || !lane(samples.straight, i)) batch.vertex.set(slot, positions[k]);
     if (kHas.media) batch.eta_scale[slot] = lane(eta_scale, i);
     if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(lane(inwards, i));
     batch.active.push(slot);
