@@ -43,8 +43,9 @@ Lanes load(const RayArray& rays, const Packet& slots, RTCRay16& packet, std::arr
 
 }  // namespace
 
-Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces, const Quads* quads, bool finds_crossings)
-    : tree_(std::make_unique<Tree>(geometry, surfaces, quads, finds_crossings)),
+Accel::Accel(Geometry& geometry, std::span<const Surface> surfaces, const Quads* quads,
+             std::span<const float> touching)
+    : tree_(std::make_unique<Tree>(geometry, surfaces, quads, touching)),
       ranges_(tree_->ranges()),
       baked_shapes_(static_cast<std::uint32_t>(geometry.baked_shape_count())) {
   for (const Instance& instance : geometry.instances)
@@ -121,7 +122,7 @@ void Accel::store_hits(const Query& query, const Packet& slots, std::span<Hit> h
 }
 
 void Accel::occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
-                     std::span<std::uint8_t> blocked) const {
+                     std::span<Shadow> shadows) const {
   for (std::size_t first = 0; first < slots.size(); first += kLanes) {
     const Packet packet(slots, first);
     alignas(64) RTCRay16 query;
@@ -129,9 +130,11 @@ void Accel::occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
     store(query.tfar, load(rays, packet, query, valid));
     store(query.id, kLaneNumbers);
     const std::uint32_t met_panes = tree_->occluded(valid.data(), query);
-    for (int i = 0; i < packet.count; ++i) blocked[packet[i]] = query.tfar[i] < 0.0f ? kBlocked : kClear;
+    for (int i = 0; i < packet.count; ++i)
+      shadows[packet[i]] = query.tfar[i] < 0.0f ? Shadow::blocked : Shadow::clear;
     for (std::uint32_t bits = met_panes; bits != 0; bits &= bits - 1)
-      if (std::uint8_t& shadow = blocked[packet[std::countr_zero(bits)]]; shadow == kClear) shadow = kByPanes;
+      if (Shadow& shadow = shadows[packet[std::countr_zero(bits)]]; shadow == Shadow::clear)
+        shadow = Shadow::by_panes;
   }
 }
 

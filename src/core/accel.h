@@ -42,10 +42,10 @@ struct alignas(32) Hit {
 };
 
 /// What is in a shadow ray's way.
-enum Shadow : std::uint8_t {
-  kClear,    ///< nothing
-  kBlocked,  ///< something but panes
-  kByPanes,  ///< panes alone: Surface::is_pane
+enum class Shadow : std::uint8_t {
+  clear,     ///< nothing
+  blocked,   ///< something but panes
+  by_panes,  ///< panes alone: ShapeTraits::is_pane
 };
 
 struct Surface;
@@ -57,10 +57,11 @@ class Accel {
   /// 16 bytes at a time, so positions get room for one more.) Rays pass surfaces that cover a point in part
   /// as a hash of the ray and the triangle decides. @param surfaces of Shape::material; must stay where they
   /// are @param quads the geometry's triangles in pairs, or none: then the BVH is made of triangles
-  /// @param finds_crossings so that crossings() may be asked
+  /// @param touching as touching_triangles gives them: what touches is no pane; where any does, crossings()
+  /// may be asked
   /// @throws std::runtime_error when Embree does
   Accel(Geometry& geometry, std::span<const Surface> surfaces, const Quads* quads = nullptr,
-        bool finds_crossings = false);
+        std::span<const float> touching = {});
   ~Accel();
   Accel(Accel&&) noexcept;
   Accel& operator=(Accel&&) noexcept;
@@ -71,9 +72,8 @@ class Accel {
   void intersect(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Hit> hits,
                  bool coherent = false) const;
 
-  /// Whether something lies at 0 < t < t_max: a Shadow a slot.
-  void occluded(const RayArray& rays, std::span<const std::uint32_t> slots,
-                std::span<std::uint8_t> blocked) const;
+  /// Whether something lies at 0 < t < t_max.
+  void occluded(const RayArray& rays, std::span<const std::uint32_t> slots, std::span<Shadow> shadows) const;
 
   Hit intersect(const Ray& ray) const;
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/sample_sequence.h"
+#include "core/touching.h"
 
 namespace photopic {
 namespace {
@@ -40,6 +41,7 @@ RTCSceneFlags scene_flags(bool finds_crossings) {
 struct Accel::Tree::Sieve {
   const Geometry& geometry;
   const Surface& surface;
+  bool is_pane;
   PrimitiveRange range;
 
   /// Embree's filter, for nearest hits and for shadows.
@@ -56,9 +58,9 @@ struct Accel::Tree::Sieve {
   }
 
   static void filter_shadow(const RTCFilterFunctionNArguments* a) {
-    const Surface& surface = static_cast<const Sieve*>(a->geometryUserPtr)->surface;
-    if (surface.partly_covers) filter(a);
-    if (!surface.is_pane) return;
+    const Sieve& sieve = *static_cast<const Sieve*>(a->geometryUserPtr);
+    if (sieve.surface.partly_covers) filter(a);
+    if (!sieve.is_pane) return;
     auto& shadow = *reinterpret_cast<ShadowContext*>(a->context);
     for (unsigned i = 0; i < a->N; ++i) {
       if (a->valid[i] == 0) continue;
@@ -75,8 +77,8 @@ struct Accel::Tree::Sieve {
 };
 
 Accel::Tree::Tree(Geometry& geometry, std::span<const Surface> surfaces, const Quads* quads,
-                  bool finds_crossings)
-    : flags_(scene_flags(finds_crossings)), quads_(quads), device_(rtcNewDevice(nullptr)) {
+                  std::span<const float> touching)
+    : flags_(scene_flags(!touching.empty())), quads_(quads), device_(rtcNewDevice(nullptr)) {
   if (!device_) throw std::runtime_error("Embree: no device");
   rtcSetDeviceErrorFunction(device_.get(), keep_error, &error_);
   scene_ = new_scene();
@@ -86,13 +88,14 @@ Accel::Tree::Tree(Geometry& geometry, std::span<const Surface> surfaces, const Q
   } else {
     for (const Shape& shape : geometry.shapes) ranges_.push_back({.first_triangle = shape.first_triangle});
   }
-  attach_shapes(scene(), geometry, surfaces, 0, geometry.baked_shape_count());
+  attach_shapes(scene(), geometry, surfaces, touching, 0, geometry.baked_shape_count());
 
   // Prototypes are scenes of their own; the instances keep them alive.
   std::vector<SceneHandle> prototypes;
   for (const Prototype& prototype : geometry.prototypes) {
     prototypes.push_back(new_scene());
-    attach_shapes(prototypes.back().get(), geometry, surfaces, prototype.first_shape, prototype.shape_count);
+    attach_shapes(prototypes.back().get(), geometry, surfaces, touching, prototype.first_shape,
+                  prototype.shape_count);
     rtcCommitScene(prototypes.back().get());
   }
   for (const Instance& instance : geometry.instances)
@@ -135,12 +138,13 @@ RTCGeometry Accel::Tree::new_mesh(const Geometry& geometry, std::size_t i) const
 }
 
 void Accel::Tree::attach_shapes(RTCScene to, const Geometry& geometry, std::span<const Surface> surfaces,
-                                std::size_t first, std::size_t count) {
+                                std::span<const float> touching, std::size_t first, std::size_t count) {
   for (std::size_t i = first; i < first + count; ++i) {
     RTCGeometry mesh = new_mesh(geometry, i);
-    if (const Surface& surface = surfaces[geometry.shapes[i].material];
-        surface.partly_covers || surface.is_pane) {
-      sieves_.push_back(std::make_unique<Sieve>(Sieve{geometry, surface, ranges_[i]}));
+    const Surface& surface = surfaces[geometry.shapes[i].material];
+    const bool is_pane = surface.is_pane && !touches(geometry.shapes[i], touching);
+    if (surface.partly_covers || is_pane) {
+      sieves_.push_back(std::make_unique<Sieve>(Sieve{geometry, surface, is_pane, ranges_[i]}));
       sieves_.back()->attach(mesh);
     }
     attach(to, mesh);

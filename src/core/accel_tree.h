@@ -30,7 +30,8 @@ struct ReleaseDevice {
 class Accel::Tree {
  public:
   /// @throws std::runtime_error when Embree fails
-  Tree(Geometry& geometry, std::span<const Surface> surfaces, const Quads* quads, bool finds_crossings);
+  Tree(Geometry& geometry, std::span<const Surface> surfaces, const Quads* quads,
+       std::span<const float> touching);
   ~Tree();
   Tree(const Tree&) = delete;
   Tree& operator=(const Tree&) = delete;
@@ -98,7 +99,7 @@ class Accel::Tree {
   void attach(RTCScene to, RTCGeometry made) const;
   RTCGeometry new_mesh(const Geometry& geometry, std::size_t shape) const;
   void attach_shapes(RTCScene to, const Geometry& geometry, std::span<const Surface> surfaces,
-                     std::size_t first, std::size_t count);
+                     std::span<const float> touching, std::size_t first, std::size_t count);
   void attach_instance(RTCScene prototype, const Affinef& to_world) const;
 
   RTCSceneFlags flags_;

@@ -20,15 +20,15 @@ std::vector<bool> used_materials(const Scene& scene) {
 }
 
 ShapeTraits traits_of(const Shape& shape, const Surface& surface, std::span<const float> touching) {
-  const auto triangles =
-      touching.empty() ? touching : touching.subspan(shape.first_triangle, shape.triangle_count);
+  const bool shape_touches = touches(shape, touching);
   return {.material = shape.material,
           .opaque_kind = surface.opaque_kind,
           .scatters = surface.scatters,
           .transmits = surface.transmits,
           .emits = surface.emits,
           .encloses = surface.encloses,
-          .touches = std::ranges::any_of(triangles, [](float error) { return error > 0.0f; })};
+          .touches = shape_touches,
+          .is_pane = surface.is_pane && !shape_touches};
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ PreparedScene::PreparedScene(Scene source)
       surfaces(scene.materials.begin(), scene.materials.end()),
       quads(Quads::pair_where_worth(scene.geometry)),
       touching(touching_triangles(scene.geometry, surfaces)),
-      accel(scene.geometry, surfaces, quads.get(), !touching.empty()),
+      accel(scene.geometry, surfaces, quads.get(), touching),
       lights(scene, accel.radius() > 0.0 ? accel.radius() : 1.0, surfaces,
              survey_sky(scene, accel, surfaces)) {
   scene.geometry.normals.reserve(scene.geometry.normals.size() + 1);  // surface_points reads a number more

@@ -111,10 +111,10 @@ void look(const Sky& sky, const Accel& accel, const Site& site, std::uint32_t nu
     rays.set(i, {site.point.leave(w), w});
     slots.push_back(i);
   }
-  std::vector<std::uint8_t> blocked(glimpses.size());
-  accel.occluded(rays, slots, blocked);
+  std::vector<Shadow> shadows(glimpses.size());
+  accel.occluded(rays, slots, shadows);
   for (const std::uint32_t i : slots)
-    if (blocked[i] == kBlocked) glimpses[i].seen = 0.0f;
+    if (shadows[i] == Shadow::blocked) glimpses[i].seen = 0.0f;
 }
 
 }  // namespace

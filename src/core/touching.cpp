@@ -264,4 +264,10 @@ std::vector<float> touching_triangles(const Geometry& geometry, std::span<const 
   return std::move(search).take();
 }
 
+bool touches(const Shape& shape, std::span<const float> touching) {
+  if (touching.empty()) return false;
+  const auto its = touching.subspan(shape.first_triangle, shape.triangle_count);
+  return std::ranges::any_of(its, [](float error) { return error > 0.0f; });
+}
+
 }  // namespace photopic

@@ -16,4 +16,7 @@ namespace photopic {
 /// [m], or 0; empty where nothing touches
 std::vector<float> touching_triangles(const Geometry& geometry, std::span<const Surface> surfaces);
 
+/// Whether some triangle of a shape does. @param touching as touching_triangles gives them
+bool touches(const Shape& shape, std::span<const float> touching);
+
 }  // namespace photopic

@@ -9,10 +9,13 @@
 namespace photopic {
 namespace {
 
+/// Rounding must not hold a ray for ever.
+constexpr int kMostMet = 1024;
+
 /// What GlassBsdf lets pass straight on, times the probability that it is asked.
 template <int N>
 SampledSpectrum<N> passed(const ShadingMaterial<N>& m, float cosine) {
-  if (!m.surface().is_pane || sqr(m.roughness()) >= kSmoothAlpha) return SampledSpectrum<N>(0.0f);
+  if (sqr(m.roughness()) >= kSmoothAlpha) return SampledSpectrum<N>(0.0f);
   const GlassReflectance<N> reflectance(m, false, false);
   return m.base_color() * (SampledSpectrum<N>(1.0f) - reflectance(cosine)) * m.glass_probability();
 }
@@ -20,7 +23,7 @@ SampledSpectrum<N> passed(const ShadingMaterial<N>& m, float cosine) {
 }  // namespace
 
 bool has_panes(const PreparedScene& scene) {
-  return std::ranges::any_of(scene.surfaces, &Surface::is_pane);
+  return std::ranges::any_of(scene.shapes, [](const ShapeTraits& shape) { return shape.is_pane; });
 }
 
 template <int N>
@@ -29,18 +32,24 @@ SampledSpectrum<N> through_panes(const PreparedScene& scene, Ray ray, float t_ma
   const Vec3f end = ray.origin + ray.direction * t_max, direction = normalize(ray.direction);
   const bool unbounded = std::isinf(t_max);
   SampledSpectrum<N> share(1.0f);
-  for (int i = 0;; ++i) {
+  for (int i = 0, panes = 0; i < kMostMet; ++i) {
     const Hit hit = scene.accel.intersect(ray);
     if (hit.shape == kNoHit || hit.t >= t_max) return share;
-    if (i >= most) return SampledSpectrum<N>(0.0f);
-    const Surface& surface = scene.surfaces[scene.shapes[hit.shape].material];
+    const ShapeTraits& shape = scene.shapes[hit.shape];
+    const Surface& surface = scene.surfaces[shape.material];
     const SurfacePoint point = mapped_point(scene.scene.geometry, hit, -direction, surface);
-    const float cosine = std::abs(dot(shading_frame(point, -direction, false).n, direction));
-    share *= passed(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}), cosine);
+    if (shape.is_pane) {
+      if (panes++ == most) break;
+      const float cosine = std::abs(dot(shading_frame(point, -direction, false).n, direction));
+      share *= passed(ShadingMaterial<N>(surface, lambda, {scene.scene.geometry, hit}), cosine);
+    } else if (!surface.partly_covers) {
+      break;
+    }
     if (share.is_black()) return share;
     ray.origin = point.leave(direction);
     if (!unbounded) ray.direction = end - ray.origin, t_max = 1.0f;
   }
+  return SampledSpectrum<N>(0.0f);
 }
 
 #define PHOTOPIC_WIDTH(N)                                                                     \

@@ -61,8 +61,8 @@ struct PathBatch {
         tints(scene.scene.environment ? capacity : 0),
         shadow_rays(capacity),
         shadow_radiance(capacity),
-        blocked(capacity),
-        by_delta_light(has_panes(scene) ? capacity : 0),
+        shadows(capacity),
+        by_delta_light(photopic::has_panes(scene) ? capacity : 0),
         active(capacity),
         shadowed(capacity),
         sorted(capacity),
@@ -83,6 +83,8 @@ struct PathBatch {
   const Surface* outside_of(std::uint32_t slot, const PreparedScene& scene) const {
     return media.empty() ? nullptr : surface_of(scene, media[slot].outside());
   }
+
+  bool has_panes() const { return !by_delta_light.empty(); }
 
   /// The slot's last vertex as the lights see it.
   LightReference vertex_of(std::uint32_t slot) const {
@@ -114,8 +116,8 @@ struct PathBatch {
   // Light samples of this depth.
   RayArray shadow_rays;
   std::vector<SampledSpectrum<N>> shadow_radiance;  ///< arrives when the ray is not blocked
-  std::vector<std::uint8_t> blocked;                ///< Shadow
-  std::vector<std::uint8_t> by_delta_light;         ///< 1 or 0; empty where the scene has no panes
+  std::vector<Shadow> shadows;
+  std::vector<std::uint8_t> by_delta_light;  ///< 1 or 0; empty where the scene has no panes
 
   // Slots at work.
   SlotQueue active;

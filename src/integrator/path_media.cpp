@@ -46,16 +46,21 @@ void PathTracer<N, kHas>::pass_hidden_surfaces() {
 /// counts for nothing, as they do.
 template <int N, Features kHas>
 bool PathTracer<N, kHas>::is_hidden_lamp(std::uint32_t slot) const {
-  const Ray ray = batch_.shadow_rays[slot];
+  Ray ray = batch_.shadow_rays[slot];
   const SurfacePoint vertex = surface_point(scene_.scene.geometry, batch_.hits[slot]);
   PathMedia media = batch_.media[slot];
   media.go_on(dot(ray.direction, vertex.geometric_normal) < 0.0f);
   if (media.current() == PathMedia::kVacuum) return false;
-  Hit hit = scene_.accel.intersect(ray);
   // The ray ends beside the lamp by what rounding may be, which is far below a hundredth of its length.
-  const float end = 1.01f * batch_.shadow_rays.t_max(slot);
+  const float distance = length(ray.direction), end = 1.01f * batch_.shadow_rays.t_max(slot);
+  Hit hit = scene_.accel.intersect(ray);
+  for (int i = 0; i < kMostPanes && hit.shape != kNoHit && scene_.shapes[hit.shape].is_pane; ++i) {
+    const float passed = hit.t;
+    ray.origin = surface_point(scene_.scene.geometry, hit).leave(ray.direction);
+    hit = scene_.accel.intersect(ray);
+    hit.t += passed;
+  }
   if (hit.shape == kNoHit || !(hit.t < end) || !is_hideable(scene_.shapes[hit.shape])) return false;
-  const float distance = length(ray.direction);
   hit.t *= distance;
   meet(media, scene_, hit, ray.direction / distance);
   return media.hidden();

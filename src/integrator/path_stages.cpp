@@ -192,13 +192,13 @@ void PathTracer<N, kHas>::prefetch_texels() {
 
 template <int N, Features kHas>
 void PathTracer<N, kHas>::trace_shadow_rays(int depth) {
-  scene_.accel.occluded(batch_.shadow_rays, batch_.shadowed, batch_.blocked);
+  scene_.accel.occluded(batch_.shadow_rays, batch_.shadowed, batch_.shadows);
   stats_.shadow_rays += batch_.shadowed.size();
-  batch_.shadowed.keep_if([&](std::uint32_t slot) { return batch_.blocked[slot] != kBlocked; });
+  batch_.shadowed.keep_if([&](std::uint32_t slot) { return batch_.shadows[slot] != Shadow::blocked; });
   if (hides_lamps_) batch_.shadowed.keep_if([&](std::uint32_t slot) { return !is_hidden_lamp(slot); });
-  if (!batch_.by_delta_light.empty())
+  if (batch_.has_panes())
     for (const std::uint32_t slot : batch_.shadowed)
-      if (batch_.blocked[slot] == kByPanes) dim_by_panes(slot, depth);
+      if (batch_.shadows[slot] == Shadow::by_panes) dim_by_panes(slot, depth);
   for (const std::uint32_t slot : batch_.shadowed) batch_.radiance[slot] += batch_.shadow_radiance[slot];
 }
 
@@ -215,7 +215,7 @@ void PathTracer<N, kHas>::dim_by_panes(std::uint32_t slot, int depth) {
 template <int N, Features kHas>
 float PathTracer<N, kHas>::flight(std::uint32_t slot) const {
   const float last = batch_.hits[slot].t;
-  if (batch_.by_delta_light.empty()) return last;
+  if (!batch_.has_panes()) return last;
   return last + length(batch_.rays.origin[slot] - batch_.vertex[slot]);
 }
 

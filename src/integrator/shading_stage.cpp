@@ -158,8 +158,14 @@ void ShadingStage<N, kHas>::sample_lights(PathBatch<N>& batch, const Packet& pac
     batch.shadow_rays.origin.set(slot, origins[k]);
     batch.shadow_rays.direction.set(slot, directions[k]);
     batch.shadowed.push(slot);
-    if (!batch.by_delta_light.empty()) batch.by_delta_light[slot] = lane(lights.delta, i) ? 1 : 0;
+    if (batch.has_panes()) batch.by_delta_light[slot] = lane(lights.delta, i) ? 1 : 0;
   });
+}
+
+/// Whether a path goes on as shadow rays do.
+template <int N, Features kHas>
+bool ShadingStage<N, kHas>::passes_pane(const PathBatch<N>& batch, std::uint32_t slot, bool straight) const {
+  return straight && scene_.shapes[batch.hits[slot].shape].is_pane;
 }
 
 /// Where the paths go on.
@@ -190,7 +196,7 @@ std::uint64_t ShadingStage<N, kHas>::sample_directions(PathBatch<N>& batch, cons
     batch.throughput[slot] = by_path[k];
     batch.rays.origin.set(slot, origins[k]);
     batch.rays.direction.set(slot, directions[k]);
-    if (!Bsdf::kLitFromBehind || !lane(samples.straight, i)) batch.vertex.set(slot, positions[k]);
+    if (!passes_pane(batch, slot, lane(samples.straight, i))) batch.vertex.set(slot, positions[k]);
     if (kHas.media) batch.eta_scale[slot] = lane(eta_scale, i);
     if (kHas.media && !batch.media.empty()) batch.media[slot].go_on(lane(inwards, i));
     batch.active.push(slot);

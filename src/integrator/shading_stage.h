@@ -37,6 +37,8 @@ class ShadingStage {
                                   const SampleStreamLanes& stream,
                                   const VertexPacket<N, Bsdf, kHas>& vertices);
 
+  bool passes_pane(const PathBatch<N>& batch, std::uint32_t slot, bool straight) const;
+
   const PreparedScene& scene_;
 };
 

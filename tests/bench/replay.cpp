@@ -77,7 +77,7 @@ void check_answers(const RayTape& tape) {
 class AccelReplay {
  public:
   explicit AccelReplay(const Accel& accel)
-      : accel_(accel), rays_(kCapacity), hits_(kCapacity), blocked_(kCapacity) {}
+      : accel_(accel), rays_(kCapacity), hits_(kCapacity), shadows_(kCapacity) {}
 
   double seconds(std::span<const RayPacket> packets) {
     seconds_ = 0.0;
@@ -108,7 +108,7 @@ class AccelReplay {
   void flush() {
     const double start = thread_cpu_seconds();
     if (shadow_)
-      accel_.occluded(rays_, slots_, blocked_);
+      accel_.occluded(rays_, slots_, shadows_);
     else
       accel_.intersect(rays_, slots_, hits_, coherent_);
     seconds_ += thread_cpu_seconds() - start;
@@ -118,7 +118,7 @@ class AccelReplay {
   const Accel& accel_;
   RayArray rays_;
   std::vector<Hit> hits_;
-  std::vector<std::uint8_t> blocked_;
+  std::vector<Shadow> shadows_;
   std::vector<std::uint32_t> slots_;
   bool shadow_ = false, coherent_ = false;
   double seconds_ = 0.0;

@@ -109,9 +109,9 @@ TEST(Quads, AreForManyTrianglesThatStandInPairs) {
 bool is_occluded(const Accel& accel, const Ray& ray, float t_max) {
   RayArray rays(1);
   rays.set(0, ray, t_max);
-  std::uint8_t blocked = 0;
-  accel.occluded(rays, std::array{0u}, std::span(&blocked, 1));
-  return blocked != 0;
+  Shadow shadow{};
+  accel.occluded(rays, std::array{0u}, std::span(&shadow, 1));
+  return shadow == Shadow::blocked;
 }
 
 /// Every ray from above meets the one triangle that lies there.
@@ -143,7 +143,8 @@ TEST(Quads, BothTrianglesOfAPairAreCrossed) {
   const std::vector<Surface> surfaces{Surface(Material{})};
   const Quads quads(g);
   ASSERT_EQ(quads.quads.size(), 1u);
-  const Accel accel(g, surfaces, &quads, true);
+  const std::vector<float> touching(g.triangles.size());
+  const Accel accel(g, surfaces, &quads, touching);
   std::array<Hit, 4> hits;
   ASSERT_EQ(accel.crossings({{-2, 0.3f, 0}, {1, 0, 0}}, 4, hits), 2u);
   EXPECT_NE(hits[0].triangle, hits[1].triangle);
@@ -161,7 +162,8 @@ TEST(Accel, EveryCrossingIsFoundOnce) {
   }
   g.shapes = {{.first_triangle = 0, .triangle_count = kSheets}};
   const std::vector<Surface> surfaces{Surface(Material{})};
-  const Accel accel(g, surfaces, nullptr, true);
+  const std::vector<float> touching(g.triangles.size());
+  const Accel accel(g, surfaces, nullptr, touching);
   const Ray ray{{0, 0, -1}, {0, 0, 1}};
   std::vector<Hit> hits(2 * kSheets);
   ASSERT_EQ(accel.crossings(ray, 200, hits), kSheets);

@@ -315,6 +315,49 @@ TEST(Panes, Oracle) {
   for (const int max_depth : {2, 3, 4, 9}) expect_light_through_panes(max_depth);
 }
 
+/// Of what the oracle finds of a scene, and with which error.
+void expect_as_oracle(Scene scene, const char* what) {
+  const PreparedScene prepared(std::move(scene));
+  const IlluminantWavelengths sampler{4, base_density(scene_emission(prepared))};
+  RenderOptions o{.spp = 2000, .sequence = Sequence::independent, .seed = 11, .max_depth = 9};
+  const RenderResult clever = render(prepared, sampler, o);
+  o.seed = 12, o.spp = 6000;
+  expect_same_image(clever.film, render_naive(prepared, sampler, o).film, 2, what);
+}
+
+/// A pane that lies on water is a surface of it: no shadow ray passes both.
+TEST(Panes, OnSolidGlass) {
+  SceneBuilder b;
+  const auto grey = b.material(diffuse(ConstantSpectrum{0.5}));
+  b.floor({0, 0, -0.5}, 2, 2, grey);
+  b.box({-0.5, -0.5, -0.4}, {0.5, 0.5, 0.4}, b.material(solid_glass(1.33f, 0.0f)));
+  b.ceiling({0, 0, 0.4}, 0.5, 0.5, b.material(thin_glass(1.0f, 0.0f)));
+  b.sphere({0, 0, 0}, 0.2, 2, b.lamp(d65(), 5.0));
+  b.ceiling({0, 0, 1.5}, 1, 1, grey);
+  b.camera({0, -1.5, 0.9}, {0, 0, 1.5}, 50, 16, 16);
+  expect_as_oracle(b.build(), "pane on water");
+}
+
+/// What covers in part is asked once of each ray, on whichever side of a pane it stands: a leaf of alpha a
+/// half.
+TEST(Panes, BeforeLeaves) {
+  for (const double height : {0.15, 0.25}) {
+    SceneBuilder b = floor_scene();
+    b.floor({0, 0, 0.2}, 0.5, 0.5, b.material(thin_glass(1.0f, 0.0f)));
+    Material leaf = diffuse(ConstantSpectrum{0.0});
+    leaf.alpha_mode = AlphaMode::blend, leaf.alpha = 0.5f;
+    b.floor({0, 0, height}, 0.5, 0.5, b.material(leaf));
+    b.camera({-1.5, 0, 0.1}, {0, 0, 0}, 0.01, 8, 8);
+    const int spectrum = b.emission(d65());
+    Scene scene = b.build();
+    scene.punctual_lights = {{.kind = PunctualLight::Kind::directional,
+                              .direction = {0, 0, -1},
+                              .intensity = 1.0f,
+                              .emission_spectrum = spectrum}};
+    expect_luminance(render_finite(PreparedScene(scene), 4000, 3), 0.5 * floor_luminance(1.0), "leaf", 2e-3);
+  }
+}
+
 /// A room with 300 lamps. @param make_lamps their materials
 template <typename MakeLamps>
 Scene many_lights(const MakeLamps& make_lamps) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -20,6 +21,9 @@ constexpr double kPiD = std::numbers::pi;
 double luminance(const float* pixel) {
   return linear_srgb_to_xyz({pixel[0], pixel[1], pixel[2]}).y;
 }
+
+/// What is indexed by 32 bits.
+constexpr std::size_t kMostNumbers = std::numeric_limits<std::int32_t>::max();
 
 /// Bilinear interpolation's mean over a pixel weighs it and its neighbours by 1/8, 3/4, 1/8 along each axis.
 constexpr std::array<double, 3> kPixelMean = {0.125, 0.75, 0.125};
@@ -52,10 +56,18 @@ Environment::Environment(Image picture, double rotation)
       columns_(cells(picture_.width, kTileColumns)),
       row_edges_(edges(rows_, kTileRows)),
       column_edges_(edges(columns_, kTileColumns)) {
-  for (std::int32_t y = 0; y <= rows_; ++y)
+  for (std::int32_t y = 0; y <= rows_; ++y) {
     cos_theta_.push_back(static_cast<float>(std::cos(kPiD * y / rows_)));
+    solid_angle_.push_back(static_cast<float>(solid_angle(y)));
+  }
   for (std::int32_t y = 0; y < kTileRows; ++y) add_tiles(y);
   flux_density_ = std::accumulate(tile_fluxes_.begin(), tile_fluxes_.end(), 0.0);
+}
+
+/// Of a cell in a row [sr]: 2π/columns times the difference of its edges' cosines.
+double Environment::solid_angle(std::int32_t row) const {
+  const double step = kPiD / rows_;
+  return 4.0 * kPiD / columns_ * std::sin(step * (row + 0.5)) * std::sin(0.5 * step);
 }
 
 /// A row of them.
@@ -86,12 +98,10 @@ void Environment::fill_fluxes(std::int32_t row, std::span<double> fluxes) const 
       means[static_cast<std::size_t>(x)] += kPixelMean[static_cast<std::size_t>(dy + 1)] *
                                             luminance(picture_.at(x, std::clamp(y + dy, 0, height - 1)));
   const auto mean = [&](int x) { return means[static_cast<std::size_t>((x + width) % width)]; };
-  const double solid_angle =
-      2.0 * kPiD / columns_ * (std::cos(kPiD * row / rows_) - std::cos(kPiD * (row + 1) / rows_));
   for (std::size_t cell = 0; cell < fluxes.size(); ++cell) {
     const int x = static_cast<int>(cell) / (columns_ / width);
-    fluxes[cell] =
-        solid_angle * (kPixelMean[0] * mean(x - 1) + kPixelMean[1] * mean(x) + kPixelMean[2] * mean(x + 1));
+    fluxes[cell] = solid_angle(row) *
+                   (kPixelMean[0] * mean(x - 1) + kPixelMean[1] * mean(x) + kPixelMean[2] * mean(x + 1));
   }
 }
 
@@ -145,10 +155,9 @@ Environment::Sample<T> Environment::sample_tile(IndexOf<T> tile_x, IndexOf<T> ti
   const float columns = static_cast<float>(columns_);
   const auto phi = sin_cos_two_pi((to_float(x) + cell.part.x) / columns);  // half a turn on
   const T right = -sin_theta * phi.sin, back = sin_theta * phi.cos;
-  const T solid_angle = 2.0f * kPi / columns * (top - bottom);
   return {
       {right * cos_rotation_ + back * sin_rotation_, cos_theta, back * cos_rotation_ - right * sin_rotation_},
-      cell.probability / solid_angle};
+      cell.probability / gather(solid_angle_.data(), y)};
 }
 
 Environment::Place Environment::place_of(Vec3f direction) const {
@@ -156,12 +165,10 @@ Environment::Place Environment::place_of(Vec3f direction) const {
   const std::int32_t x = std::clamp(to_int(p.x * static_cast<float>(columns_)), 0, columns_ - 1),
                      y = std::clamp(to_int(p.y * static_cast<float>(rows_)), 0, rows_ - 1);
   const std::int32_t tile_x = part_of(x, column_edges_), tile_y = part_of(y, row_edges_);
-  const float* cos_theta = &cos_theta_[static_cast<std::size_t>(y)];
-  const float solid_angle = 2.0f * kPi / static_cast<float>(columns_) * (cos_theta[0] - cos_theta[1]);
   const float probability =
       cells_.probability<float>(tile(tile_x, tile_y), x - column_edges_[static_cast<std::size_t>(tile_x)],
                                 y - row_edges_[static_cast<std::size_t>(tile_y)]);
-  return {tile_x, tile_y, probability / solid_angle};
+  return {tile_x, tile_y, probability / solid_angle_[static_cast<std::size_t>(y)]};
 }
 
 template Vec3f Environment::interpolate(Vec3f) const;
@@ -171,6 +178,11 @@ template Environment::Sample<Lanes> Environment::sample_tile(IntLanes, IntLanes,
 
 Environment load_environment(const EnvironmentOptions& options, std::vector<std::string>& warnings) {
   Image picture = read_image(options.file);
+  if (picture.pixels.size() > kMostNumbers)
+    throw InputError(
+        options.file.string(),
+        fmt::format("{} × {} pixels are more than an environment may have", picture.width, picture.height),
+        "make it smaller: 16384 × 8192 are enough for any");
   std::size_t negative = 0;
   float brightest = 0.0f;
   for (std::size_t i = 0; i < picture.pixels.size(); ++i) {

@@ -47,7 +47,7 @@ class Environment {
   };
   Place place_of(Vec3f direction) const;
 
-  /// ∫ L dω over each tile's directions, row by row [lm/m²], and over all.
+  /// ∫ L dω over each tile's directions, row by row [lx], and over all.
   const std::vector<double>& tile_fluxes() const { return tile_fluxes_; }
   double flux_density() const { return flux_density_; }
 
@@ -62,6 +62,7 @@ class Environment {
   Position<T> position_of(Vec3<T> direction) const;
   template <typename T>
   Vec3<T> interpolate(Vec3<T> direction) const;
+  double solid_angle(std::int32_t row) const;
   void add_tiles(std::int32_t y);
   void fill_fluxes(std::int32_t row, std::span<double> fluxes) const;
   template <typename I>
@@ -72,6 +73,7 @@ class Environment {
   /// The density is constant on cells: pixels, or equal parts of them where there are fewer than tiles.
   std::int32_t rows_, columns_;
   std::vector<float> cos_theta_;                        ///< of the rows' edges, rows + 1
+  std::vector<float> solid_angle_;                      ///< of a cell in each row [sr]
   std::vector<std::int32_t> row_edges_, column_edges_;  ///< of the tiles [cells]
   GridDensities cells_;                                 ///< in each tile
   std::vector<std::int32_t> tiles_;                     ///< the grid of each, row by row

@@ -11,7 +11,11 @@ namespace {
 /// A light that is brighter than any number must be chosen, for what it does to be seen in the result.
 constexpr double kMostPower = 1e200;  // [lm]
 
-constexpr double kMostIlluminance = 1e30;  // in any unit
+// In any unit.
+constexpr double kFaintIlluminance = 1e-20, kMostIlluminance = 1e20;
+
+/// No path finds directional lights but by their samples: of those of the sky they get this share at least.
+constexpr double kLeastDirectional = 0.05;
 
 constexpr double kPiD = std::numbers::pi;
 
@@ -107,12 +111,17 @@ void LightSampler::add_to_group(std::uint32_t light, int spectrum, bool one_tree
 
 /// @param total power of all groups' lights within the scene [lm]
 void LightSampler::weigh_sky(double total) {
+  const bool has_directional =
+      std::ranges::any_of(groups_, [](const Group& g) { return g.kind == Kind::directional; });
   for (const SkyViews::Light& light : views_.lights()) {
+    const double all = std::max(light.environment + light.directional, kFaintIlluminance);
+    const double directional =
+        has_directional ? std::clamp(light.directional, kLeastDirectional * all, all) : 0.0;
     const auto share = [&](double illuminance) {
-      return static_cast<float>(std::min(illuminance / total, kMostIlluminance));
+      return static_cast<float>(std::clamp(illuminance / total, kFaintIlluminance, kMostIlluminance));
     };
-    sky_.push_back(
-        {share(light.environment), share(light.directional), light.any ? kLeastShare : kLeastUnseen});
+    sky_.push_back({environment_ ? share(light.environment) : 0.0f,
+                    has_directional ? share(directional) : 0.0f, light.any ? kLeastShare : kLeastUnseen});
   }
 }
 
@@ -145,7 +154,7 @@ LightBounds LightSampler::bounds_of(std::uint32_t light) const {
 
 /// @param total power of all groups' lights within the scene [lm]
 void LightSampler::plant_tree(Group& group, std::span<const double> power, double total) {
-  if (group.lights.size() > 1 || !views_.empty()) uses_normals_ = true;
+  if (group.lights.size() > 1) uses_normals_ = true;
   std::vector<LightBounds> bounds;
   for (const std::uint32_t light : group.lights) {
     bounds.push_back(bounds_of(light));

@@ -94,7 +94,8 @@ class LightSampler {
   static constexpr std::uint32_t kNoGroup = ~0u;  ///< it seems dark and is never chosen
 
   /// What arrives from within the scene is told as if nothing were in its way, what the sky sends by a few
-  /// places: neither gets less than this share of the choices, but the sky where nothing of it was seen.
+  /// places: neither gets less than the first share of the choices, but the sky the second where nothing of
+  /// it was seen.
   static constexpr float kLeastShare = 0.1f, kLeastUnseen = 0.01f;
 
   /// What arrives from beyond the scene, in the unit that the groups' intensities have over square metres.

@@ -17,16 +17,14 @@ Lanes choose(const std::array<Lanes, 6>& key, IntLanes axis) {
 template <typename T>
 IndexOf<T> SkyViews::view_at(const BasicLightReference<T>& at) const {
   using I = IndexOf<T>;
-  constexpr std::int32_t kNumbers = sizeof(Node) / sizeof(std::int32_t);
   const Key<T> key = key_of(at);
-  const std::int32_t* numbers = &nodes_.data()->axis;
   I node{};
   for (std::int32_t level = 0; level < levels_; ++level) {
-    const I first = node * kNumbers;
-    const T split = gather(reinterpret_cast<const float*>(numbers), first + 1);
-    node = gather(numbers, first + 2) + select(choose(key, gather(numbers, first)) >= split, I{} + 1, I{});
+    const T value = choose(key, gather(axis_.data(), node));
+    node = select(value >= gather(split_.data(), node), gather(above_.data(), node),
+                  gather(below_.data(), node));
   }
-  return gather(numbers, node * kNumbers + 3);
+  return gather(view_.data(), node);
 }
 template std::int32_t SkyViews::view_at(const LightReference&) const;
 template IntLanes SkyViews::view_at(const BasicLightReference<Lanes>&) const;

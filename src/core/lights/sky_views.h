@@ -30,7 +30,7 @@ class SkyViews {
   /// @param places as densely as paths visit them; none: all is seen from everywhere
   SkyViews(const Sky& sky, std::span<const LightReference> places, const Survey& survey);
 
-  bool empty() const { return nodes_.empty(); }
+  bool empty() const { return lights_.empty(); }
   /// Whether there are several.
   bool differ() const { return levels_ > 0; }
 
@@ -64,18 +64,15 @@ class SkyViews {
     return {place.position.x, place.position.y, place.position.z,
             place.normal.x,   place.normal.y,   place.normal.z};
   }
-  /// A plane that parts places. Leaves lead to themselves.
-  struct Node {
-    std::int32_t axis;  ///< of the key
-    float split;
-    std::int32_t below;  ///< the child that has what lies below; the other follows it
-    std::int32_t view;   ///< of a leaf
-  };
   template <typename I>
   static GridDensities::Grid<I> grid_of(I view);
 
-  std::vector<Node> nodes_;
-  std::int32_t levels_ = 0;    ///< below the root
+  // Planes that part places, the first of all: of each the axis of the key, what parts it, and the planes to
+  // go on with below and above; leaves lead to themselves and have a view.
+  std::vector<std::int32_t> axis_;
+  std::vector<float> split_;
+  std::vector<std::int32_t> below_, above_, view_;
+  std::int32_t levels_ = 0;
   GridDensities tiles_;        ///< a grid for each view
   std::vector<Light> lights_;  ///< of each view
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -27,19 +28,24 @@ constexpr double kUnlearned = 0.05;
 /// Steps by this share of the whole are spread evenly, however many there are.
 constexpr double kGoldenRatio = 0.6180339887498949;
 
+/// The factor on weights that makes them, at most 1 each, add up to `count`; no fewer are above 0.
+double common_factor(std::vector<double> weights, double count) {
+  std::ranges::sort(weights, std::greater());
+  double rest = std::accumulate(weights.begin(), weights.end(), 0.0), factor = 0.0;
+  for (const double w : weights) {
+    if (w * count < rest) return std::max(factor, count / rest);
+    rest -= w, count -= 1.0;  // this one is sure
+    if (w > 0.0) factor = 1.0 / w;
+  }
+  return factor;
+}
+
 /// Running sums of the probabilities with which a place looks at each part of the sky.
 std::vector<double> inclusion_probabilities(std::span<const double> fluxes) {
   std::vector<double> weights;
   for (const double flux : fluxes) weights.push_back(std::sqrt(flux));
-  const auto lit = static_cast<double>(std::ranges::count_if(fluxes, [](double flux) { return flux > 0.0; }));
-  // What would be looked at more than once is looked at once, the rest more often for it.
-  double factor = 0.0;
-  for (int i = 0; i < 32; ++i) {
-    double free = 0.0, sure = 0.0;
-    for (const double w : weights) (w * factor >= 1.0 ? sure : free) += w * factor >= 1.0 ? 1.0 : w;
-    if (free == 0.0) break;
-    factor = (std::min(lit, kGlimpses) - sure) / free;
-  }
+  const auto lit = std::ranges::count_if(fluxes, [](double flux) { return flux > 0.0; });
+  const double factor = common_factor(weights, std::min(static_cast<double>(lit), kGlimpses));
   double sum = 0.0;
   for (double& w : weights) w = sum += std::min(w * factor, 1.0);
   return weights;
@@ -59,8 +65,7 @@ SkyViews::Builder::Builder(SkyViews& views, const Sky& sky, std::span<const Ligh
   tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) { look_around(i, ends, survey); });
   std::vector<std::uint32_t> all(places.size());
   std::iota(all.begin(), all.end(), 0u);
-  views.nodes_.resize(1);
-  build(0, all, Squares(fluxes_.size(), places.empty() ? kMeanSquareCosine : 0.0), 0);
+  build(all, Squares(fluxes_.size(), places.empty() ? kMeanSquareCosine : 0.0), 0);
 }
 
 /// Each place looks at some parts of the sky, the bright ones more often: systematic sampling.
@@ -73,27 +78,31 @@ void SkyViews::Builder::look_around(std::size_t place, std::span<const double> e
 }
 
 /// @param prior what is to be expected: what the places of the branch above see
-void SkyViews::Builder::build(std::size_t node, std::span<std::uint32_t> places, const Squares& prior,
-                              std::int32_t level) {
+/// @return the number of the branch
+std::int32_t SkyViews::Builder::build(std::span<std::uint32_t> places, const Squares& prior,
+                                      std::int32_t level) {
+  const auto node = static_cast<std::int32_t>(views_.axis_.size());
+  const auto i = static_cast<std::size_t>(node);
+  views_.axis_.push_back(0), views_.split_.push_back(0.0f), views_.view_.push_back(0);
+  views_.below_.push_back(node), views_.above_.push_back(node);
+  views_.levels_ = std::max(views_.levels_, level);
+
   const Sums sums = sums_of(places);
   const Squares squares = sums.means(prior);
   double total = 0.0;
   for (std::size_t k = 0; k < fluxes_.size(); ++k) total += light(squares, k);
   const Split split = level < kMostLevels ? best_split(places, sums, squares) : Split{};
   if (!(split.gain > kLeastGain * total)) {
-    views_.nodes_[node] = {0, std::numeric_limits<float>::infinity(), static_cast<std::int32_t>(node),
-                           add_view(places, squares)};
-    return;
+    views_.view_[i] = add_view(places, squares);
+    return node;
   }
-  const std::size_t next = views_.nodes_.size();
-  views_.nodes_[node] = {static_cast<std::int32_t>(split.axis), split.at, static_cast<std::int32_t>(next), 0};
-  views_.nodes_.resize(next + 2);
-  views_.levels_ = std::max(views_.levels_, level + 1);
   const auto above = std::ranges::partition(
       places, [&](std::uint32_t place) { return keys_[place][split.axis] < split.at; });
-  const std::size_t below = places.size() - above.size();
-  build(next, places.first(below), squares, level + 1);
-  build(next + 1, places.subspan(below), squares, level + 1);
+  const std::size_t count = places.size() - above.size();
+  views_.axis_[i] = static_cast<std::int32_t>(split.axis), views_.split_[i] = split.at;
+  views_.below_[i] = build(places.first(count), squares, level + 1);
+  views_.above_[i] = build(places.subspan(count), squares, level + 1);
+  return node;
 }
 
 void SkyViews::Builder::Sums::add(std::span<const Glimpse> glimpses) {
@@ -169,10 +178,11 @@ std::int32_t SkyViews::Builder::add_view(std::span<const std::uint32_t> places, 
     (k < tiles ? result.environment : result.directional) += light(squares, k);
   views_.lights_.push_back(result);
   if (sky_.environment) {
+    const double flux = sky_.environment->flux_density();
+    const double learned = result.environment > 0.0 ? (1.0 - kUnlearned) / result.environment : 0.0,
+                 unlearned = flux > 0.0 ? kUnlearned / flux : 0.0;
     std::vector<double> weights(tiles);
-    for (std::size_t k = 0; k < tiles; ++k)
-      weights[k] = (1.0 - kUnlearned) * light(squares, k) / result.environment +
-                   kUnlearned * fluxes_[k] / sky_.environment->flux_density();
+    for (std::size_t k = 0; k < tiles; ++k) weights[k] = learned * light(squares, k) + unlearned * fluxes_[k];
     views_.tiles_.add(weights, Environment::kTileColumns);
   }
   return static_cast<std::int32_t>(views_.lights_.size() - 1);

@@ -28,7 +28,7 @@ class SkyViews::Builder {
   };
 
   void look_around(std::size_t place, std::span<const double> ends, const Survey& survey);
-  void build(std::size_t node, std::span<std::uint32_t> places, const Squares& prior, std::int32_t level);
+  std::int32_t build(std::span<std::uint32_t> places, const Squares& prior, std::int32_t level);
   Sums sums_of(std::span<const std::uint32_t> places) const;
   double light(const Squares& squares, std::size_t source) const;
   Split best_split(std::span<const std::uint32_t> places, const Sums& sums, const Squares& prior) const;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <numbers>
+#include <numeric>
 
 #include "core/sample_sequence.h"
 #include "support/one_light.h"
@@ -98,6 +99,39 @@ TEST(LightSampler, SharesOfGroupsAddUp) {
       EXPECT_NEAR(shares[0][0] + shares[1][0] + shares[2][0], 1.0f, 1e-6f);
       EXPECT_GE(shares[2][0], 0.0999f);
       EXPECT_LE(shares[2][0], 0.9001f);
+    }
+  }
+}
+
+/// A sun that no place has seen is looked for all the same: nothing else finds it.
+TEST(LightSampler, WhatWasNotSeenOfTheSkyIsStillChosen) {
+  for (const bool with_environment : {false, true}) {
+    Scene scene = two_points(false);
+    scene.punctual_lights.push_back(
+        {.kind = PunctualLight::Kind::directional, .intensity = 1e5f, .emission_spectrum = 1});
+    if (with_environment) {
+      Image picture(8, 4);
+      std::ranges::fill(picture.pixels, 1.0f);
+      auto environment = std::make_shared<Environment>(std::move(picture), 0.0);
+      environment->emission_spectrum = 0;
+      scene.environment = environment;
+    }
+    const std::vector<LightReference> places(100);
+    const Sky sky(scene);
+    for (const bool sees_tiles : {false, true}) {
+      const auto survey = [&](std::size_t, std::span<SkyViews::Glimpse> glimpses) {
+        for (auto& [source, seen] : glimpses) seen = sees_tiles && source < sky.tiles() ? 1.0f : 0.0f;
+      };
+      const std::vector<Surface> surfaces(scene.materials.begin(), scene.materials.end());
+      const LightSampler lights(scene, 4.0, surfaces, SkyViews(sky, places, survey));
+      const std::vector<float> shares =
+          group_probabilities(lights, {kPlace, {}}, std::vector<float>(lights.group_count(), 1.0f));
+      // The groups: two points, the sun, the environment.
+      EXPECT_GT(shares[2], 0.004f) << with_environment << sees_tiles;
+      EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0f), 1.0f, 1e-5f);
+      if (!sees_tiles) {
+        EXPECT_GT(shares[0] + shares[1], 0.98f);
+      }
     }
   }
 }
