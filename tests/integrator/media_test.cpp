@@ -190,8 +190,8 @@ TEST(Media, HiddenGlassDoesNotShine) {
 }
 
 /// Half of it hidden, from vertices on either side of rough glass and within: light samples find what paths
-/// do.
-TEST(Media, HalfHiddenGlassAgreesWithTheOracle) {
+/// do. @param pane whether a pane stands before the hidden half
+void expect_half_hidden(bool pane) {
   SceneBuilder b;
   Material frosted = tinted(1.3f, 0.7, 5);
   frosted.roughness = 0.5f;
@@ -200,12 +200,19 @@ TEST(Media, HalfHiddenGlassAgreesWithTheOracle) {
   b.box({-0.6, -0.5, -0.8}, {0.2, 0.1, -0.5}, shining(b, 7));
   b.sphere({0.45, 0, 0}, 0.4, 2, b.material(diffuse(ConstantSpectrum{0.8})));
   b.floor({0, 0, -1.2}, 4, 4, b.material(diffuse(ConstantSpectrum{0.8})));
+  if (pane)
+    b.quad({0, -0.9, -0.4}, {0, 0.9, -0.4}, {0, 0.9, 0.9}, {0, -0.9, 0.9},
+           b.material(thin_glass(1.5f, 0.0f)));
   b.camera({1, -4, 2}, {0, 0, 0}, 40, 12, 12);
   const PreparedScene scene(b.turn({0.3, 0.2, 1}, 0.2).build());
   RenderOptions o{.spp = 600, .sequence = Sequence::independent, .seed = 1, .max_depth = 8};
   const RenderResult clever = render(scene, UniformWavelengths{4}, o);
   o.seed = 2, o.spp = 1500;
-  expect_same_image(clever.film, render_naive(scene, UniformWavelengths{4}, o).film, 1, "half hidden");
+  expect_same_image(clever.film, render_naive(scene, UniformWavelengths{4}, o).film, 2,
+                    pane ? "behind a pane" : "half hidden");
+}
+TEST(Media, HalfHiddenGlassAgreesWithTheOracle) {
+  for (const bool pane : {false, true}) expect_half_hidden(pane);
 }
 
 /// More shells than a path remembers: counted, and no energy is made.

@@ -120,7 +120,8 @@ void LightSampler::weigh_sky(double total) {
     const auto share = [&](double illuminance) {
       return static_cast<float>(std::clamp(illuminance / total, kFaintIlluminance, kMostIlluminance));
     };
-    sky_.push_back({environment_ ? share(light.environment) : 0.0f,
+    // Paths find the environment by themselves.
+    sky_.push_back({light.environment > 0.0 ? share(light.environment) : 0.0f,
                     has_directional ? share(directional) : 0.0f, light.any ? kLeastShare : kLeastUnseen});
   }
 }
