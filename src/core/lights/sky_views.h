@@ -14,8 +14,8 @@ namespace photopic {
 
 /// What the places of a scene see of its sky, so that light is looked for where it comes from: through a
 /// window, past a house, above the horizon of a surface. It is learned from some places before the render;
-/// planes in position and normal part them from each other. (Vorba et al. 2019, "Adaptive Environment
-/// Sampling on CPU and GPU", learn it while they render.)
+/// planes in position and normal part them from each other. (Atanasov et al. 2018, "Adaptive Environment
+/// Sampling on CPU and GPU", keep what is seen in a grid about the camera.)
 class SkyViews {
  public:
   /// What a place sees of a part of the sky: the cosine to the normal, 0 where something is in the way.
