@@ -1,5 +1,6 @@
 #include "core/sky_survey.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/frame.h"
@@ -121,7 +122,9 @@ void look(const Sky& sky, const Accel& accel, const Site& site, std::uint32_t nu
 
 SkyViews survey_sky(const Scene& scene, const Accel& accel, std::span<const Surface> surfaces) {
   const Sky sky(scene);
-  if (sky.empty()) return {};
+  const bool are_alone = sky.directions.size() == scene.punctual_lights.size() &&
+                         std::ranges::none_of(surfaces, &Surface::emits);
+  if (sky.empty() || (!sky.environment && are_alone)) return {};
   const Walk walk(scene, accel, surfaces);
   std::vector<LightReference> places;
   for (const Site& site : walk.sites()) places.push_back({site.point.position, site.normal});
