@@ -142,7 +142,7 @@ void Accel::Tree::attach_shapes(RTCScene to, const Geometry& geometry, std::span
   for (std::size_t i = first; i < first + count; ++i) {
     RTCGeometry mesh = new_mesh(geometry, i);
     const Surface& surface = surfaces[geometry.shapes[i].material];
-    const bool is_pane = surface.is_pane && !touches(geometry.shapes[i], touching);
+    const bool is_pane = is_free_pane(geometry.shapes[i], surface, touching);
     if (surface.partly_covers || is_pane) {
       sieves_.push_back(std::make_unique<Sieve>(Sieve{geometry, surface, is_pane, ranges_[i]}));
       sieves_.back()->attach(mesh);

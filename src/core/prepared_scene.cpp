@@ -20,15 +20,14 @@ std::vector<bool> used_materials(const Scene& scene) {
 }
 
 ShapeTraits traits_of(const Shape& shape, const Surface& surface, std::span<const float> touching) {
-  const bool shape_touches = touches(shape, touching);
   return {.material = shape.material,
           .opaque_kind = surface.opaque_kind,
           .scatters = surface.scatters,
           .transmits = surface.transmits,
           .emits = surface.emits,
           .encloses = surface.encloses,
-          .touches = shape_touches,
-          .is_pane = surface.is_pane && !shape_touches};
+          .touches = touches(shape, touching),
+          .is_pane = is_free_pane(shape, surface, touching)};
 }
 
 }  // namespace

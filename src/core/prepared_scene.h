@@ -24,7 +24,7 @@ struct ShapeTraits {
   BsdfKind opaque_kind;
   bool scatters : 1, transmits : 1, emits : 1, encloses : 1;  ///< as the Surface
   bool touches : 1;                                           ///< some triangle of it touches another
-  bool is_pane : 1;  ///< as the Surface, and free on both sides: shadow rays may pass
+  bool is_pane : 1;                                           ///< see is_free_pane
 };
 
 /// A scene made ready for rendering: what every sampler and every render of it share.

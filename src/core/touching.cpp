@@ -270,4 +270,8 @@ bool touches(const Shape& shape, std::span<const float> touching) {
   return std::ranges::any_of(its, [](float error) { return error > 0.0f; });
 }
 
+bool is_free_pane(const Shape& shape, const Surface& surface, std::span<const float> touching) {
+  return surface.is_pane && !touches(shape, touching);
+}
+
 }  // namespace photopic

@@ -19,4 +19,7 @@ std::vector<float> touching_triangles(const Geometry& geometry, std::span<const 
 /// Whether some triangle of a shape does. @param touching as touching_triangles gives them
 bool touches(const Shape& shape, std::span<const float> touching);
 
+/// Whether a shape is a pane that shadow rays may pass: on solid glass it would be a surface of that.
+bool is_free_pane(const Shape& shape, const Surface& surface, std::span<const float> touching);
+
 }  // namespace photopic
